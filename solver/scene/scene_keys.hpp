@@ -1,0 +1,123 @@
+/// The keys of a scene file that are one value each, with their limits: one list for reading and
+/// for writing.
+///
+/// `Table` is a TomlTable, which reads, or a TomlWriter, which writes; both offer quantity, number,
+/// integer, flag, text and choice. What is not one value (the morphology, fluxes by material) is in
+/// read_scene.cpp and write_scene.cpp.
+#pragma once
+
+#include <array>
+
+#include "solver/scene/limits.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace crawford::keys {
+
+inline constexpr Limits length{"m", 1e-9, 1.0};
+inline constexpr Limits duration{"s", 1e-12, 1e3};
+inline constexpr Limits heat_flux{"W/m2", 0.0, 1e10};
+
+template <class Table>
+void visit(Table& table, Material& m, Need need) {
+    table.quantity("thermal_conductivity", m.thermal_conductivity, {"W/(m K)", 1e-6, 1e6}, need);
+    table.quantity("specific_heat", m.specific_heat, {"J/(kg K)", 1e-3, 1e6}, need);
+    table.quantity("density", m.density, {"kg/m3", 1e-3, 1e6}, need);
+    table.quantity("bulk_modulus", m.bulk_modulus, {"Pa", 1.0, 1e16}, need);
+    table.quantity("shear_modulus", m.shear_modulus, {"Pa", 1.0, 1e16}, need);
+    table.quantity("thermal_expansion", m.thermal_expansion, {"1/K", 0.0, 0.1}, need);
+    table.quantity("pyrolysis_prefactor", m.pyrolysis_prefactor, {"m/s", 1e-9, 1e12}, need);
+    table.quantity("activation_temperature", m.activation_temperature, {"K", 0.0, 1e6}, need);
+    table.quantity("heat_of_reaction", m.heat_of_reaction, {"J/kg", -1e8, 1e8}, need);
+}
+
+template <class Table>
+void visit(Table& table, Domain& d) {
+    table.quantity("width", d.width, length, Need::required);
+    table.quantity("depth", d.depth, length, Need::required);
+    table.integer("nx", d.nx, {1, 16384}, Need::required);
+    table.integer("ny", d.ny, {4, 16384}, Need::required);
+    table.number("clustering", d.clustering, {"", 0.0, 8.0});
+    table.flag("half", d.half);
+}
+
+template <class Table>
+void visit(Table& table, Physics& p) {
+    static constexpr std::array regressions{Word<Regression>{"pyrolysis", Regression::pyrolysis},
+                                            Word<Regression>{"fixed", Regression::fixed},
+                                            Word<Regression>{"none", Regression::none}};
+    table.flag("heat", p.heat);
+    table.flag("mechanics", p.mechanics);
+    table.flag("reference_map", p.reference_map);
+    table.choice("regression", p.regression, regressions);
+}
+
+template <class Table>
+void visit(Table& table, Surface& s, Need pressure, Need burn_rate) {
+    static constexpr std::array tractions{Word<Traction>{"normal", Traction::normal},
+                                          Word<Traction>{"vertical", Traction::vertical}};
+    table.quantity("pressure", s.pressure, {"Pa", 0.0, 1e10}, pressure);
+    table.quantity("burn_rate", s.burn_rate, {"m/s", 0.0, 10.0}, burn_rate);
+    table.choice("traction", s.traction, tractions);
+}
+
+template <class Table>
+void visit(Table& table, Bottom& b) {
+    static constexpr std::array supports{Word<Support>{"roller", Support::roller},
+                                         Word<Support>{"clamped", Support::clamped}};
+    table.quantity("temperature", b.temperature, {"K", 1.0, 5000.0});
+    table.choice("support", b.support, supports);
+}
+
+template <class Table>
+void visit(Table& table, Time& t) {
+    table.quantity("step", t.step, duration, Need::required);
+    table.quantity("end", t.end, duration, Need::required);
+    table.number("until_steady", t.until_steady, {"", 1e-15, 1.0});
+}
+
+template <class Table>
+void visit_thermal_stress(Table& table, const char* key, ThermalStress& value) {
+    static constexpr std::array readings{
+        Word<ThermalStress>{"3 alpha K", ThermalStress::three_alpha_bulk},
+        Word<ThermalStress>{"alpha K", ThermalStress::alpha_bulk}};
+    table.choice(key, value, readings);
+}
+
+template <class Table>
+void visit(Table& table, Numerics& n) {
+    static constexpr std::array elements{Word<Element>{"bbar", Element::bbar},
+                                         Word<Element>{"q1", Element::q1}};
+    static constexpr std::array solvers{Word<LinearSolver>{"cholmod", LinearSolver::cholmod},
+                                        Word<LinearSolver>{"ldlt", LinearSolver::ldlt},
+                                        Word<LinearSolver>{"pcg", LinearSolver::pcg}};
+    static constexpr std::array couplings{Word<Coupling>{"lagged", Coupling::lagged},
+                                          Word<Coupling>{"adiabatic", Coupling::adiabatic}};
+    static constexpr std::array capacities{
+        Word<HeatCapacity>{"c_p", HeatCapacity::constant_pressure},
+        Word<HeatCapacity>{"c_v", HeatCapacity::constant_volume}};
+    static constexpr std::array motions{
+        Word<SurfaceMotion>{"burning", SurfaceMotion::burning},
+        Word<SurfaceMotion>{"burning with material", SurfaceMotion::burning_with_material}};
+    static constexpr std::array norms{Word<StrainNorm>{"frobenius", StrainNorm::frobenius},
+                                      Word<StrainNorm>{"largest", StrainNorm::largest_component}};
+    table.choice("element", n.element, elements);
+    table.choice("solver", n.solver, solvers);
+    table.number("solver_tolerance", n.solver_tolerance, {"", 1e-15, 1e-2});
+    table.number("heat_tolerance", n.heat_tolerance, {"", 1e-15, 1e-2});
+    table.choice("coupling", n.coupling, couplings);
+    visit_thermal_stress(table, "thermal_stress", n.thermal_stress);
+    visit_thermal_stress(table, "stress_work", n.stress_work);
+    table.choice("heat_capacity", n.heat_capacity, capacities);
+    table.choice("surface_motion", n.surface_motion, motions);
+    table.choice("strain_norm", n.strain_norm, norms);
+    table.quantity("viscous_time", n.viscous_time, {"s", 0.0, 1.0});
+}
+
+template <class Table>
+void visit(Table& table, Output& o) {
+    table.quantity("snapshots_every", o.snapshots_every, duration);
+    table.quantity("checkpoint_every", o.checkpoint_every, duration);
+    table.integer("history_every", o.history_every, {1, 1000000000}, Need::optional);
+}
+
+}  // namespace crawford::keys

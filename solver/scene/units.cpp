@@ -1,0 +1,112 @@
+#include "solver/scene/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "solver/errors.hpp"
+
+namespace crawford {
+
+namespace {
+
+using System = std::unique_ptr<ut_system, decltype(&ut_free_system)>;
+using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
+
+Unit own(ut_unit* unit) {
+    return {unit, &ut_free};
+}
+
+System read_system() {
+    ut_set_error_message_handler(
+        &ut_ignore);  // what is wrong is said by our exceptions, not on stderr
+    System system(ut_read_xml(nullptr), &ut_free_system);
+    if (!system) {
+        throw InputError(
+            "cannot be read: udunits2 does not find its database of units; install the package "
+            "libudunits2-data or point UDUNITS2_XML_PATH at udunits2.xml");
+    }
+    const Unit joule = own(ut_get_unit_by_name(system.get(), "joule"));
+    const Unit calorie = own(ut_scale(4.184, joule.get()));
+    for (const char* name : {"calorie", "calories"}) {
+        ut_unmap_name_to_unit(system.get(), name, UT_ASCII);
+        ut_map_name_to_unit(name, UT_ASCII, calorie.get());
+    }
+    ut_unmap_symbol_to_unit(system.get(), "cal", UT_ASCII);
+    ut_map_symbol_to_unit("cal", UT_ASCII, calorie.get());
+    return system;
+}
+
+/// Read once, at first use, and never changed after.
+const ut_system* unit_system() {
+    static const System system = read_system();
+    return system.get();
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+Unit parse_unit(std::string_view text) {
+    const std::string one_over = text.starts_with('/') ? "1" : "";
+    return own(ut_parse(unit_system(), (one_over + std::string(text)).c_str(), UT_ASCII));
+}
+
+/// Stricter than ut_are_convertible, to which a unit and its reciprocal are alike.
+bool same_dimension(const Unit& a, const Unit& b) {
+    const Unit ratio = own(ut_divide(a.get(), b.get()));
+    return ratio && ut_is_dimensionless(ratio.get()) != 0;
+}
+
+/// Splits "200 cal/(s cm2)" into 200 and "cal/(s cm2)".
+std::pair<double, std::string_view> split(std::string_view quantity, std::string_view unit) {
+    std::string_view text = trimmed(quantity);
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc::result_out_of_range) {
+        throw InputError("is a number too large or too small for a double");
+    }
+    if (error != std::errc()) {
+        throw InputError(
+            fmt::format("does not begin with a number; write a number and a unit, in {}", unit));
+    }
+    if (!std::isfinite(number)) throw InputError("is not finite");
+    return {number, trimmed(text.substr(static_cast<std::size_t>(end - text.data())))};
+}
+
+}  // namespace
+
+double read_quantity(std::string_view quantity, std::string_view unit) {
+    const auto [number, given_text] = split(quantity, unit);
+    if (given_text.empty()) {
+        throw InputError(
+            fmt::format("has no unit; expected {} or a unit that converts to it", unit));
+    }
+    const Unit given = parse_unit(given_text);
+    if (!given) {
+        throw InputError(fmt::format(
+            "has the unit \"{}\", which is unknown; expected {} or a unit that converts to it",
+            given_text, unit));
+    }
+    const Unit wanted = parse_unit(unit);
+    const Converter converter(ut_get_converter(given.get(), wanted.get()), &cv_free);
+    if (!converter || !same_dimension(given, wanted)) {
+        throw InputError(fmt::format(
+            "has the wrong dimension; expected {} or a unit that converts to it", unit));
+    }
+    const double value = cv_convert_double(converter.get(), number);
+    if (!std::isfinite(value)) throw InputError(fmt::format("is not finite in {}", unit));
+    return value;
+}
+
+}  // namespace crawford

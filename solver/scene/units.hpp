@@ -1,0 +1,17 @@
+/// Quantities with units: "200 cal/(s cm2)" is 8.368e6 W/m2.
+#pragma once
+
+#include <string_view>
+
+namespace crawford {
+
+/// The number in `quantity`, for example "2 MPa", converted to `unit`, for example "Pa".
+///
+/// Units are those of udunits2, but for the calorie, which is the thermochemical one (4.184 J) of
+/// the combustion literature and not udunits' steam table calorie. "cm2" and "cm^2", "1/K" and
+/// "K-1" are the same. \throws InputError whose message completes a sentence that begins with the
+/// quantity: no number, no unit, a unit
+///         unknown, a dimension that is not that of `unit`, a value that is not finite.
+double read_quantity(std::string_view quantity, std::string_view unit);
+
+}  // namespace crawford
