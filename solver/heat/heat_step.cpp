@@ -1,0 +1,166 @@
+#include "solver/heat/heat_step.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "solver/errors.hpp"
+#include "solver/heat/line_relaxation.hpp"
+
+namespace crawford {
+
+namespace {
+
+constexpr std::array<Local, 4> vertices{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
+
+void check(const NodeField& temperature) {
+    for (int i = 0; i < temperature.columns(); ++i)
+        for (int j = 0; j < temperature.rows(); ++j)
+            if (!(temperature(i, j) > 0.0 && std::isfinite(temperature(i, j))))
+                throw NumericalFailure(
+                    fmt::format("heat: temperature {:.6g} K at node ({}, {}), limit above 0 K; "
+                                "reduce time.step, or take "
+                                "numerics.coupling = \"adiabatic\"",
+                                temperature(i, j), i, j));
+}
+
+}  // namespace
+
+HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
+                   const BurningLaw& law,
+                   const std::function<double(double, double, double)>& source)
+    : grid_(grid),
+      materials_(materials),
+      law_(law),
+      source_(source),
+      numerics_(scene.numerics),
+      deforms_(scene.physics.mechanics),
+      transport_(grid),
+      mass_(grid.node_columns(), grid.rows() + 1),
+      load_(grid.node_columns(), grid.rows() + 1) {}
+
+int HeatStep::advance(NodeField& temperature, const HeatMotion& motion, double time, double dt) {
+    assemble(temperature, motion);
+    add_surface_flux(temperature, motion.surface);
+    if (source_) add_source(motion.surface, time + 0.5 * dt);
+
+    // (M/dt + L/2) T' = (M/dt - L/2) T + load   (paper eq. 34)
+    NodeField& rhs = load_;
+    for (int i = 0; i < temperature.columns(); ++i)
+        for (int j = 1; j < temperature.rows(); ++j)
+            rhs(i, j) +=
+                mass_(i, j) / dt * temperature(i, j) - 0.5 * transport_.apply(temperature, i, j);
+    for (int i = 0; i < temperature.columns(); ++i)
+        for (int j = 0; j < temperature.rows(); ++j) {
+            for (auto& column : transport_.row(i, j))
+                for (double& c : column) c *= 0.5;
+            transport_.row(i, j)[1][1] += mass_(i, j) / dt;
+        }
+    const double hottest = *std::ranges::max_element(temperature.values());
+    const int sweeps =
+        relax_columns(transport_, rhs, temperature, numerics_.heat_tolerance * hottest);
+    check(temperature);
+    return sweeps;
+}
+
+void HeatStep::assemble(const NodeField& temperature, const HeatMotion& motion) {
+    transport_.clear();
+    std::ranges::fill(mass_.values(), 0.0);
+    std::ranges::fill(load_.values(), 0.0);
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) add_cell(i, j, temperature, motion);
+}
+
+/// rho c, with c = c_p or, where the coupling is to supply c_p - c_v, c_v = c_p - beta^2 T/(rho K).
+double HeatStep::capacity(int i, int j, double temperature) const {
+    const double at_constant_pressure = materials_.heat_capacity(i, j);
+    if (numerics_.heat_capacity == HeatCapacity::constant_pressure) return at_constant_pressure;
+    const double beta = materials_.thermal_stress(i, j, numerics_.stress_work);
+    return at_constant_pressure - beta * beta * temperature / materials_.bulk_modulus(i, j);
+}
+
+void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMotion& motion) {
+    const Cell cell(grid_, motion.surface, i, j);
+    const auto nodes = corners(grid_, i, j);
+    const double share = 0.25 * cell.area();
+    const double kappa = materials_.thermal_conductivity(i, j);
+    const double mean_temperature = interpolate(gather(temperature, nodes), cell_centre);
+
+    double heat_capacity = capacity(i, j, mean_temperature);
+    if (deforms_) {
+        const double beta = materials_.thermal_stress(i, j, numerics_.stress_work);
+        const double split = numerics_.coupling == Coupling::adiabatic
+                                 ? beta * beta * mean_temperature / materials_.bulk_modulus(i, j)
+                                 : 0.0;
+        add_stress_work(i, j, nodes, share, split, temperature, motion);
+        heat_capacity += split;
+    }
+
+    for (int vertex = 0; vertex < 4; ++vertex) {
+        const auto hats = hat_gradients(cell, vertices[size_t(vertex)]);
+        const Vector carried = heat_capacity * relative_velocity(motion, nodes[size_t(vertex)]);
+        for (int q = 0; q < 4; ++q) {
+            transport_.add(nodes, vertex, q, share * carried.dot(hats[size_t(q)]));
+            for (int p = 0; p < 4; ++p)
+                transport_.add(nodes, p, q, share * kappa * hats[size_t(p)].dot(hats[size_t(q)]));
+        }
+        const Node& node = nodes[size_t(vertex)];
+        mass_(node.i, node.j) += share * heat_capacity;
+    }
+}
+
+/// -beta T div v of the last step. Split adiabatically, the part that answers DT/Dt at once, -split
+/// DT/Dt, has moved to the left side and only the remainder lags; `split` is its largest value, at
+/// constant pressure, so that the remainder never changes sign from step to step.
+void HeatStep::add_stress_work(int i, int j, const std::array<Node, 4>& nodes, double share,
+                               double split, const NodeField& temperature,
+                               const HeatMotion& motion) {
+    const Cell cell(grid_, motion.surface, i, j);
+    const double beta = materials_.thermal_stress(i, j, numerics_.stress_work);
+    const double divergence = gradient(cell, gather(motion.velocity, nodes), cell_centre).trace();
+    const double lagged =
+        motion.temperature_rate.empty() ? 0.0 : split * motion.temperature_rate(i, j);
+    for (const Node& node : nodes)
+        load_(node.i, node.j) += share * (lagged - beta * temperature(node.i, node.j) * divergence);
+}
+
+void HeatStep::add_surface_flux(const NodeField& temperature, const SurfaceField& surface) {
+    const int top = grid_.rows();
+    for (int i = 0; i < grid_.cell_columns(); ++i) {
+        const double half_length = 0.5 * grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
+        const double fraction = materials_.fraction()(i, top - 1);
+        for (const int node : {i, grid_.right_node(i)})
+            load_(node, top) +=
+                half_length * law_.heat_flux(materials_, fraction, temperature(node, top));
+    }
+}
+
+void HeatStep::add_source(const SurfaceField& surface, double time) {
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) {
+            const Cell cell(grid_, surface, i, j);
+            for (int corner = 0; corner < 4; ++corner) {
+                const Node node = corners(grid_, i, j)[size_t(corner)];
+                const double x = grid_.x(i + corner % 2);
+                const double y = surface[size_t(node.i)] + grid_.eta(node.j);
+                load_(node.i, node.j) += 0.25 * cell.area() * source_(x, y, time);
+            }
+        }
+}
+
+void material_rate(const Grid& grid, const NodeField& before, const NodeField& after,
+                   const HeatMotion& motion, double dt, CellField& rate) {
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        for (int j = 0; j < grid.rows(); ++j) {
+            const Cell cell(grid, motion.surface, i, j);
+            const auto nodes = corners(grid, i, j);
+            const auto hot = gather(after, nodes);
+            const auto cold = gather(before, nodes);
+            Vector carried = Vector::Zero();
+            for (const Node& node : nodes) carried += 0.25 * relative_velocity(motion, node);
+            rate(i, j) = (interpolate(hot, cell_centre) - interpolate(cold, cell_centre)) / dt +
+                         carried.dot(gradient(cell, hot, cell_centre));
+        }
+}
+
+}  // namespace crawford

@@ -1,0 +1,67 @@
+/// Heat in the burning solid: rho c_p DT/Dt = div(kappa grad T) - beta T div v + q   (paper eq. 7,
+/// 11, 34, 35).
+///
+/// Crank-Nicolson in time. In space bilinear elements with vertex quadrature on the
+/// surface-following cells: second order, the flux through the surface is the natural boundary
+/// condition, and the metric cross terms of a sloped surface come with the gradient. On a flat grid
+/// it is the five-point stencil.
+#pragma once
+
+#include "solver/burning/burn_rate.hpp"
+#include "solver/fields/node_stencil.hpp"
+#include "solver/simulation/sources.hpp"
+
+namespace crawford {
+
+/// What the solid does while the heat moves; taken from the last step.
+struct HeatMotion {
+    const SurfaceField& surface;       ///< phi [m]
+    const SurfaceField& surface_rate;  ///< phi_t [m/s]
+    const NodeVectors& velocity;       ///< v [m/s]; empty for a rigid solid
+    const CellField&
+        temperature_rate;  ///< DT/Dt [K/s] of the last step; empty unless the stress work is split
+};
+
+class HeatStep {
+public:
+    HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
+             const BurningLaw& law, const std::function<double(double, double, double)>& source);
+
+    /// Advances T [K] from `time` by dt; the bottom row is held.
+    /// \returns the sweeps of the line relaxation.
+    /// \throws NumericalFailure naming the column if it does not converge, or the node where T is
+    /// not above 0 K.
+    int advance(NodeField& temperature, const HeatMotion& motion, double time, double dt);
+
+private:
+    void assemble(const NodeField& temperature, const HeatMotion& motion);
+    void add_cell(int i, int j, const NodeField& temperature, const HeatMotion& motion);
+    void add_stress_work(int i, int j, const std::array<Node, 4>& nodes, double share, double split,
+                         const NodeField& temperature, const HeatMotion& motion);
+    void add_surface_flux(const NodeField& temperature, const SurfaceField& surface);
+    void add_source(const SurfaceField& surface, double time);
+    double capacity(int i, int j, double temperature) const;
+
+    const Grid& grid_;
+    const MaterialMap& materials_;
+    const BurningLaw& law_;
+    std::function<double(double, double, double)> source_;
+    Numerics numerics_;
+    bool deforms_;
+    NodeStencil transport_;  ///< diffusion and convection, [W/K] per unit thickness
+    NodeField mass_;         ///< lumped heat capacity [J/K]
+    NodeField load_;         ///< flux, stress work, source [W]
+};
+
+/// The material rate DT/Dt [K/s] in each cell, between two temperatures dt apart, on the moving
+/// grid.
+void material_rate(const Grid& grid, const NodeField& before, const NodeField& after,
+                   const HeatMotion& motion, double dt, CellField& rate);
+
+/// Velocity of the solid relative to the grid [m/s]: (u, v - phi_t).
+inline Vector relative_velocity(const HeatMotion& motion, const Node& node) {
+    const Vector v = motion.velocity.empty() ? Vector::Zero() : motion.velocity(node.i, node.j);
+    return {v.x(), v.y() - motion.surface_rate[size_t(node.i)]};
+}
+
+}  // namespace crawford

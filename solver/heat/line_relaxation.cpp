@@ -1,0 +1,74 @@
+#include "solver/heat/line_relaxation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "solver/errors.hpp"
+
+namespace crawford {
+
+namespace {
+
+constexpr int most_sweeps = 200;
+
+/// The Thomas algorithm on one column; keeps its work space between columns.
+class ColumnSolver {
+public:
+    explicit ColumnSolver(int rows) : upper_(size_t(rows)), value_(size_t(rows)) {}
+
+    /// \returns the largest change in the column.
+    double solve(const NodeStencil& a, const NodeField& b, NodeField& x, int i) {
+        const int rows = x.rows();
+        upper_[0] = 0.0;
+        value_[0] = x(i, 0);
+        for (int j = 1; j < rows; ++j) {
+            const auto& c = a.row(i, j)[1];
+            const size_t k = size_t(j);
+            const double pivot = c[1] - c[0] * upper_[k - 1];
+            const double rhs = b(i, j) - a.column_sum(x, i, j, -1) - a.column_sum(x, i, j, 1);
+            upper_[k] = c[2] / pivot;
+            value_[k] = (rhs - c[0] * value_[k - 1]) / pivot;
+        }
+        double change = 0.0;
+        for (int j = rows - 1; j > 0; --j) {
+            const double above = j + 1 < rows ? x(i, j + 1) : 0.0;
+            const double value = value_[size_t(j)] - upper_[size_t(j)] * above;
+            const double step = std::abs(value - x(i, j));
+            if (!(step <= change)) change = step;  // also true for a NaN
+            x(i, j) = value;
+        }
+        return change;
+    }
+
+private:
+    std::vector<double> upper_, value_;
+};
+
+}  // namespace
+
+int relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x, double tolerance) {
+    ColumnSolver column(x.rows());
+    const int columns = x.columns();
+    double largest = 0.0;
+    int worst = 0;
+    for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
+        largest = 0.0;
+        for (int k = 0; k < columns; ++k) {
+            const int i = sweep % 2 == 1 ? k : columns - 1 - k;
+            const double change = column.solve(a, b, x, i);
+            if (!(change <= largest)) {
+                largest = change;
+                worst = i;
+            }
+        }
+        if (largest <= tolerance || (columns == 1 && std::isfinite(largest))) return sweep;
+        if (std::isnan(largest)) break;
+    }
+    throw NumericalFailure(fmt::format(
+        "heat: line relaxation did not converge in {} sweeps: column {} still changes by {:.3g} K "
+        "(limit {:.3g} K); reduce time.step",
+        most_sweeps, worst, largest, tolerance));
+}
+
+}  // namespace crawford

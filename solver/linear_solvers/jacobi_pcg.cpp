@@ -1,0 +1,46 @@
+#include "solver/linear_solvers/jacobi_pcg.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/IterativeLinearSolvers>
+
+#include "solver/errors.hpp"
+
+namespace crawford {
+
+namespace {
+
+class JacobiPcg : public SpdSolver {
+public:
+    explicit JacobiPcg(double tolerance) : tolerance_(tolerance) {}
+
+    int solve(const SparseMatrix& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
+        Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower, Eigen::DiagonalPreconditioner<double>>
+            pcg;
+        // The count grows with sqrt(K/mu) times the number of cells across; ten times the unknowns
+        // is beyond any of them.
+        const long limit = 10 * long(b.size());
+        pcg.setTolerance(tolerance_);
+        pcg.setMaxIterations(limit);
+        pcg.compute(lower);
+        x = pcg.solveWithGuess(b, x);
+        if (pcg.info() != Eigen::Success || !x.allFinite())
+            throw NumericalFailure(
+                fmt::format("linear solver: relative residual {:.3g} after {} iterations, limit "
+                            "{:.3g}; take numerics.solver = "
+                            "\"cholmod\"",
+                            pcg.error(), pcg.iterations(), tolerance_));
+        return int(pcg.iterations());
+    }
+
+private:
+    double tolerance_;
+};
+
+}  // namespace
+
+std::unique_ptr<SpdSolver> make_jacobi_pcg(double tolerance) {
+    return std::make_unique<JacobiPcg>(tolerance);
+}
+
+}  // namespace crawford

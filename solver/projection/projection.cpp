@@ -1,0 +1,142 @@
+#include "solver/projection/projection.hpp"
+
+#include "solver/projection/support.hpp"
+
+namespace crawford {
+
+namespace {
+
+/// s - p I at one point of a cell, with the viscous part of the deviator where there is one.
+Eigen::Matrix2d stress_at(const Deviator& s, double pressure, double viscosity,
+                          const Eigen::Matrix2d& velocity_gradient) {
+    Eigen::Matrix2d sigma;
+    sigma << s.s11 - pressure, s.s12, s.s12, s.s22 - pressure;
+    if (viscosity == 0.0) return sigma;
+    const Eigen::Matrix2d d = 0.5 * (velocity_gradient + velocity_gradient.transpose());
+    return sigma + 2.0 * viscosity * (d - d.trace() / 3.0 * Eigen::Matrix2d::Identity());
+}
+
+}  // namespace
+
+Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
+                       const BodyForce& body_force)
+    : grid_(grid),
+      materials_(materials),
+      body_force_(body_force),
+      element_(scene.numerics.element),
+      load_(scene.surface),
+      solver_kind_(scene.numerics.solver),
+      solver_tolerance_(scene.numerics.solver_tolerance),
+      viscous_time_(scene.numerics.viscous_time),
+      matrix_(grid, held_unknowns(grid, scene.bottom.support)) {
+    forget();
+}
+
+void Projection::forget() {
+    solver_ = make_spd_solver(solver_kind_, solver_tolerance_);
+}
+
+double Projection::viscosity(int i, int j) const {
+    if (viscous_time_ == 0.0) return 0.0;
+    const bool first_is_softer =
+        materials_.first().shear_modulus < materials_.second().shear_modulus;
+    const double fraction = materials_.fraction()(i, j);
+    const double softer = first_is_softer ? fraction : 1.0 - fraction;
+    return softer * viscous_time_ * materials_.shear_modulus(i, j);
+}
+
+int Projection::solve(const StressField& stress, const SurfaceField& surface, double time,
+                      double dt, NodeVectors& velocity) {
+    assemble(surface, dt);
+    const Eigen::VectorXd force = balance(stress, nullptr, surface, time).sum / dt;
+    Eigen::Map<Eigen::VectorXd> flat(velocity.values().front().data(), matrix_.unknowns());
+    Eigen::VectorXd v = flat;
+    const int iterations = solver_->solve(matrix_.lower(), force, v);
+    flat = v;
+    return iterations;
+}
+
+double Projection::residual(const StressField& stress, const NodeVectors& velocity,
+                            const SurfaceField& surface, double time) const {
+    const Balance forces = balance(stress, &velocity, surface, time);
+    const double magnitude = forces.magnitude.norm();
+    return magnitude == 0.0 ? 0.0 : forces.sum.norm() / magnitude;
+}
+
+void Projection::assemble(const SurfaceField& surface, double dt) {
+    matrix_.clear();
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) {
+            const Moduli moduli{materials_.bulk_modulus(i, j),
+                                materials_.shear_modulus(i, j) + viscosity(i, j) / dt};
+            matrix_.add(i, j, stiffness(element_, Cell(grid_, surface, i, j), moduli));
+        }
+}
+
+Projection::Balance Projection::balance(const StressField& stress, const NodeVectors* velocity,
+                                        const SurfaceField& surface, double time) const {
+    Balance forces{Eigen::VectorXd::Zero(matrix_.unknowns()),
+                   Eigen::VectorXd::Zero(matrix_.unknowns())};
+    add_stress(forces, stress, velocity, surface);
+    add_traction(forces, surface);
+    if (body_force_) add_body_force(forces, surface, time);
+    for (int k = 0; k < matrix_.unknowns(); ++k)
+        if (matrix_.held(k)) forces.sum[k] = forces.magnitude[k] = 0.0;
+    return forces;
+}
+
+/// - integral of grad w . sigma   (paper eq. 40)
+void Projection::add_stress(Balance& forces, const StressField& stress, const NodeVectors* velocity,
+                            const SurfaceField& surface) const {
+    const auto& points = stress_points(element_);
+    const double weight = 1.0 / double(points.size());
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) {
+            const Cell cell(grid_, surface, i, j);
+            const auto nodes = corners(grid_, i, j);
+            const double tau_mu = velocity ? viscosity(i, j) : 0.0;
+            for (size_t k = 0; k < points.size(); ++k) {
+                Eigen::Matrix2d grad_v = Eigen::Matrix2d::Zero();
+                if (tau_mu != 0.0) grad_v = gradient(cell, gather(*velocity, nodes), points[k]);
+                const Eigen::Matrix2d sigma =
+                    stress_at(stress.deviator[k](i, j), stress.pressure(i, j), tau_mu, grad_v);
+                const auto hats = hat_gradients(cell, points[k]);
+                for (size_t corner = 0; corner < 4; ++corner) {
+                    const Vector force = -weight * cell.area() * (sigma * hats[corner]);
+                    for (int c = 0; c < 2; ++c)
+                        forces.add(matrix_.unknown(nodes[corner], c), force[c]);
+                }
+            }
+        }
+}
+
+/// + integral of w sigma_bc . n over the surface: -p_c n ds, n ds = (-phi_x, 1) dx, or (0, -p_c)
+/// dx.
+void Projection::add_traction(Balance& forces, const SurfaceField& surface) const {
+    const int top = grid_.rows();
+    for (int i = 0; i < grid_.cell_columns(); ++i) {
+        const double half = 0.5 * grid_.dx() * load_.pressure;
+        const double tilt = load_.traction == Traction::normal ? grid_.slope(surface, i) : 0.0;
+        for (const int node : {i, grid_.right_node(i)}) {
+            forces.add(matrix_.unknown({node, top}, 0), half * tilt);
+            forces.add(matrix_.unknown({node, top}, 1), -half);
+        }
+    }
+}
+
+void Projection::add_body_force(Balance& forces, const SurfaceField& surface, double time) const {
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) {
+            const double share = 0.25 * Cell(grid_, surface, i, j).area();
+            const auto nodes = corners(grid_, i, j);
+            for (int corner = 0; corner < 4; ++corner) {
+                const Node& node = nodes[size_t(corner)];
+                const double x = grid_.x(i + corner % 2);
+                const double y = surface[size_t(node.i)] + grid_.eta(node.j);
+                const Vector force = share * body_force_(x, y, time);
+                for (int c = 0; c < 2; ++c) forces.add(matrix_.unknown(node, c), force[c]);
+            }
+        }
+}
+
+}  // namespace crawford

@@ -1,0 +1,78 @@
+/// The velocity that keeps the solid in equilibrium: div(sigma* + dt C:D(v)) + b = 0   (paper eq.
+/// 20-24, 40-43).
+///
+/// Weak form on bilinear elements that follow the surface. The load of the gas enters at every step
+/// as a whole, not as an increment, so that errors of equilibrium are corrected and not carried
+/// along.
+#pragma once
+
+#include <memory>
+
+#include "solver/linear_solvers/spd_solver.hpp"
+#include "solver/morphology/material_map.hpp"
+#include "solver/projection/fixed_pattern.hpp"
+#include "solver/simulation/sources.hpp"
+#include "solver/stress/stress_field.hpp"
+
+namespace crawford {
+
+/// Force in [N/m^3].
+using BodyForce = std::function<Vector(double, double, double)>;
+
+class Projection {
+public:
+    Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
+               const BodyForce& body_force);
+
+    /// Finds the velocity [m/s] at the end of a step of length dt that ends at `time`.
+    /// \param stress sigma*, everything of the step but C:D(v)
+    /// \param velocity the first guess, then the solution
+    /// \returns the iterations of the linear solver
+    /// \throws NumericalFailure if the linear solver fails
+    int solve(const StressField& stress, const SurfaceField& surface, double time, double dt,
+              NodeVectors& velocity);
+
+    /// |div sigma + b| of the discrete equations, relative to the sum of the magnitudes that should
+    /// cancel.
+    double residual(const StressField& stress, const NodeVectors& velocity,
+                    const SurfaceField& surface, double time) const;
+
+    /// Drops what the linear solver keeps between steps.
+    void forget();
+
+    /// tau mu [Pa s] of the Kelvin-Voigt stress 2 tau mu dev D of a cell; zero but in the softer
+    /// material.
+    double viscosity(int i, int j) const;
+
+private:
+    struct Balance {
+        Eigen::VectorXd sum;        ///< of the nodal forces [N/m]
+        Eigen::VectorXd magnitude;  ///< of what was summed [N/m]
+
+        void add(int unknown, double force) {
+            sum[unknown] += force;
+            magnitude[unknown] += std::abs(force);
+        }
+    };
+
+    void assemble(const SurfaceField& surface, double dt);
+    Balance balance(const StressField& stress, const NodeVectors* velocity,
+                    const SurfaceField& surface, double time) const;
+    void add_stress(Balance& forces, const StressField& stress, const NodeVectors* velocity,
+                    const SurfaceField& surface) const;
+    void add_traction(Balance& forces, const SurfaceField& surface) const;
+    void add_body_force(Balance& forces, const SurfaceField& surface, double time) const;
+
+    const Grid& grid_;
+    const MaterialMap& materials_;
+    BodyForce body_force_;
+    Element element_;
+    Surface load_;
+    LinearSolver solver_kind_;
+    double solver_tolerance_;
+    double viscous_time_;
+    FixedPattern matrix_;
+    std::unique_ptr<SpdSolver> solver_;
+};
+
+}  // namespace crawford

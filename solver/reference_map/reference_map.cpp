@@ -1,0 +1,95 @@
+#include "solver/reference_map/reference_map.hpp"
+
+#include <Eigen/LU>
+
+#include "solver/fields/weno.hpp"
+
+namespace crawford {
+
+namespace {
+
+/// Reads a nodal vector beyond the sides of the window.
+class Shift {
+public:
+    Shift(const Grid& grid, const NodeVectors& values) : grid_(grid), values_(values) {}
+
+    Vector operator()(int i, int j) const {
+        const int n = grid_.cell_columns();
+        if (grid_.sides() == Sides::periodic) return values_(((i % n) + n) % n, j);
+        const int folded = ((i % (2 * n)) + 2 * n) % (2 * n);
+        if (folded <= n) return values_(folded, j);
+        const Vector& image = values_(2 * n - folded, j);
+        return {-image.x(), image.y()};
+    }
+
+private:
+    const Grid& grid_;
+    const NodeVectors& values_;
+};
+
+Vector eno2(const Vector& far, const Vector& near, const Vector& ahead) {
+    return {crawford::eno2({far.x(), near.x(), ahead.x()}),
+            crawford::eno2({far.y(), near.y(), ahead.y()})};
+}
+
+/// Undivided upwind derivative of values[-2..2] about the middle one.
+template <class At>
+Vector upwind(const At& at, double velocity) {
+    if (velocity > 0.0) return eno2(at(-1) - at(-2), at(0) - at(-1), at(1) - at(0));
+    return eno2(at(2) - at(1), at(1) - at(0), at(0) - at(-1));
+}
+
+/// The value in row j, extrapolated by a parabola above the surface and linearly below the bottom.
+Vector in_column(const Grid& grid, const NodeVectors& values, int i, int j) {
+    const int top = grid.rows();
+    if (j > top + 1) return values(i, top);  // never upwind of anything
+    if (j > top) return 3.0 * values(i, top) - 3.0 * values(i, top - 1) + values(i, top - 2);
+    if (j < 0) return 2.0 * values(i, 0) - values(i, 1);
+    return values(i, j);
+}
+
+/// Slope of the surface at a node column: the mean of the cells beside it.
+double node_slope(const Grid& grid, const SurfaceField& surface, int i) {
+    const int n = grid.cell_columns();
+    if (grid.sides() == Sides::mirror && (i == 0 || i == n)) return 0.0;
+    const int left = i > 0 ? i - 1 : n - 1;
+    return 0.5 * (grid.slope(surface, left) + grid.slope(surface, i));
+}
+
+}  // namespace
+
+void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt,
+                           NodeVectors& shift) {
+    NodeVectors next = shift;
+    const Shift value(grid, shift);
+    for (int i = 0; i < grid.node_columns(); ++i) {
+        const double slope = node_slope(grid, motion.surface, i);
+        for (int j = 1; j <= grid.rows(); ++j) {
+            const Vector relative = relative_velocity(motion, {i, j});
+            const double across = relative.x() / grid.dx();
+            const double upward = (relative.y() - slope * relative.x()) / grid.metric(j);
+            Vector rate = -motion.velocity(i, j);
+            rate -=
+                upward * upwind([&](int k) { return in_column(grid, shift, i, j + k); }, upward);
+            if (grid.cell_columns() > 1)
+                rate -= across * upwind([&](int k) { return value(i + k, j); }, across);
+            next(i, j) += dt * rate;
+        }
+    }
+    shift = std::move(next);
+}
+
+Lattice<Eigen::Matrix2d> deformation_gradient(const Grid& grid, const SurfaceField& surface,
+                                              const NodeVectors& shift) {
+    Lattice<Eigen::Matrix2d> f(grid.cell_columns(), grid.rows(), Eigen::Matrix2d::Identity());
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        for (int j = 0; j < grid.rows(); ++j) {
+            const Cell cell(grid, surface, i, j);
+            Eigen::Matrix2d grad_xi = Eigen::Matrix2d::Identity();
+            grad_xi += gradient(cell, gather(shift, corners(grid, i, j)), cell_centre);
+            f(i, j) = grad_xi.inverse();
+        }
+    return f;
+}
+
+}  // namespace crawford

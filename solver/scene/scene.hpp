@@ -1,0 +1,161 @@
+/// What to model: plain data, nothing computed. read_scene.hpp fills it from TOML; a case may fill
+/// it by hand.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solver/scene/material.hpp"
+
+namespace crawford {
+
+struct Domain {
+    double width = 240e-6;    ///< period in x [m]
+    double depth = 480e-6;    ///< height of the window below the surface, Ly [m]
+    int nx = 64;              ///< cells across the whole width; 1 for a slab
+    int ny = 96;              ///< cells over the depth
+    double clustering = 2.0;  ///< c of paper eq. 32; 0 is uniform
+    bool half = false;        ///< model 0 <= x <= width/2 of a symmetric scene, with nx/2 columns
+};
+
+struct Uniform {};  ///< one material everywhere
+
+struct Sandwich {  ///< a strip of the second material about x = 0
+    double strip;  ///< width of the strip [m]
+};
+
+struct Disc {
+    double x, y, radius;  ///< [m]
+};
+
+struct Discs {                ///< discs of the first material in a matrix of the second
+    std::vector<Disc> discs;  ///< periodic in x with the domain's width
+    double period;            ///< periodic in y with this [m]; the burning surface starts at y = 0
+    std::string source;       ///< where they come from, for the manifest
+};
+
+using Shape = std::variant<Uniform, Sandwich, Discs>;
+
+/// Where which material is. The first is what burns around a strip or fills the discs (AP), the
+/// second is the strip or the matrix (binder); a uniform scene has only the first.
+struct Morphology {
+    Shape shape = Uniform{};
+    std::vector<Material> materials = {ammonium_perchlorate()};
+};
+
+enum class Regression {
+    pyrolysis,  ///< r_b = A exp(-Ea/(R T_s))
+    fixed,      ///< r_b prescribed
+    none        ///< the surface stays
+};
+
+struct Physics {
+    bool heat = true;
+    bool mechanics = true;
+    bool reference_map = true;
+    Regression regression = Regression::pyrolysis;
+};
+
+enum class Traction {
+    normal,   ///< sigma.n = -p_c n: a pressure
+    vertical  ///< (0, -p_c) per unit x, the paper's
+};
+
+struct Surface {
+    double pressure = 0.0;          ///< chamber pressure p_c [Pa]
+    std::vector<double> heat_flux;  ///< Q_g of each material [W/m^2]
+    double burn_rate = 0.0;         ///< r_b of Regression::fixed [m/s]
+    Traction traction = Traction::normal;
+};
+
+enum class Support {
+    roller,  ///< v = 0, u free but for one node
+    clamped  ///< u = v = 0
+};
+
+struct Bottom {
+    double temperature = 300.0;  ///< [K]; also the temperature at the start
+    Support support = Support::roller;
+};
+
+struct Time {
+    double step = 20e-6;  ///< dt [s]
+    double end = 0.1;     ///< [s]; the latest end where until_steady is given
+    std::optional<double>
+        until_steady;  ///< stop when the mean burn rate changes less than this, relative, per ms
+};
+
+enum class Element {
+    bbar,  ///< mean dilatation, stress carried at the integration points: an exact projection
+    q1     ///< the paper's: exact integration, stress at the centre, an approximate projection
+};
+
+enum class LinearSolver {
+    cholmod,  ///< supernodal Cholesky, factorised anew each step on a fixed pattern
+    ldlt,     ///< Eigen's simplicial LDLT
+    pcg       ///< Jacobi-preconditioned conjugate gradients, the paper's
+};
+
+enum class Coupling {
+    lagged,    ///< the stress work of the last step, as the paper: stable only for g < 1
+    adiabatic  ///< split: the part that follows the temperature at once is a heat capacity
+};
+
+enum class ThermalStress {
+    three_alpha_bulk,  ///< beta = 3 alpha K
+    alpha_bulk         ///< beta = alpha K
+};
+
+enum class HeatCapacity {
+    constant_pressure,  ///< c = c_p, as the paper
+    constant_volume     ///< c = c_p - beta^2 T/(rho K): the coupling term supplies the rest
+};
+
+enum class SurfaceMotion {
+    burning,               ///< phi_t = -r_b sqrt(1 + phi_x^2), as the paper (eq. 9)
+    burning_with_material  ///< phi_t = v - u phi_x - r_b sqrt(1 + phi_x^2)
+};
+
+enum class StrainNorm {
+    frobenius,         ///< sqrt(E:E)
+    largest_component  ///< max |E_ij|
+};
+
+struct Numerics {
+    Element element = Element::bbar;
+    LinearSolver solver = LinearSolver::cholmod;
+    double solver_tolerance = 1e-8;  ///< relative residual an iterative solver must reach
+    double heat_tolerance =
+        1e-10;  ///< largest change of a line relaxation's last sweep, relative to the largest T
+    Coupling coupling = Coupling::adiabatic;
+    ThermalStress thermal_stress = ThermalStress::three_alpha_bulk;
+    ThermalStress stress_work =
+        ThermalStress::three_alpha_bulk;  ///< beta of the heat equation's last term
+    HeatCapacity heat_capacity = HeatCapacity::constant_pressure;
+    SurfaceMotion surface_motion = SurfaceMotion::burning;
+    StrainNorm strain_norm = StrainNorm::frobenius;
+    double viscous_time =
+        0.0;  ///< tau of a Kelvin-Voigt stress 2 mu tau dev D in the softer material [s]
+};
+
+struct Output {
+    std::optional<double> snapshots_every;   ///< [s]
+    std::optional<double> checkpoint_every;  ///< [s]
+    int history_every = 1;                   ///< steps a row
+};
+
+struct Scene {
+    std::string title;
+    Domain domain;
+    Morphology morphology;
+    Physics physics;
+    Surface surface;
+    Bottom bottom;
+    Time time;
+    Numerics numerics;
+    Output output;
+};
+
+}  // namespace crawford

@@ -1,0 +1,271 @@
+#include "solver/simulation/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/burning/burn_rate.hpp"
+#include "solver/burning/surface_motion.hpp"
+#include "solver/errors.hpp"
+#include "solver/heat/heat_step.hpp"
+#include "solver/projection/projection.hpp"
+#include "solver/reference_map/reference_map.hpp"
+#include "solver/stress/stress_step.hpp"
+
+namespace crawford {
+
+namespace {
+
+State cold_and_at_rest(const Scene& scene, const Grid& grid) {
+    const int columns = grid.node_columns();
+    const int rows = grid.rows() + 1;
+    State state;
+    state.surface.assign(size_t(columns), 0.0);
+    if (scene.physics.heat) state.temperature = NodeField(columns, rows, scene.bottom.temperature);
+    if (scene.physics.mechanics) {
+        state.velocity = NodeVectors(columns, rows, Vector::Zero());
+        state.stress = StressField(grid.cell_columns(), grid.rows(),
+                                   int(stress_points(scene.numerics.element).size()));
+    }
+    if (scene.physics.heat && scene.physics.mechanics)
+        state.temperature_rate = CellField(grid.cell_columns(), grid.rows());
+    if (scene.physics.reference_map)
+        state.reference_shift = NodeVectors(columns, rows, Vector::Zero());
+    return state;
+}
+
+void check_finite(const NodeVectors& field, const char* room, const char* name) {
+    for (int i = 0; i < field.columns(); ++i)
+        for (int j = 0; j < field.rows(); ++j)
+            if (!field(i, j).allFinite())
+                throw NumericalFailure(
+                    fmt::format("{}: {} is not a number at node ({}, {})", room, name, i, j));
+}
+
+}  // namespace
+
+struct Simulation::Rooms {
+    Scene scene;
+    Sources sources;
+    Grid grid;
+    MaterialMap materials;
+    BurningLaw law;
+    std::unique_ptr<HeatStep> heat;
+    std::unique_ptr<StressStep> stress;
+    std::unique_ptr<Projection> projection;
+    State state;
+    Stopwatch stopwatch;
+    int solver_iterations = 0;
+
+    Rooms(Scene s, Sources given)
+        : scene(std::move(s)),
+          sources(std::move(given)),
+          grid(scene.domain),
+          materials(scene.morphology, grid),
+          law(scene.physics.regression, scene.surface),
+          state(cold_and_at_rest(scene, grid)) {
+        if (scene.physics.heat)
+            heat = std::make_unique<HeatStep>(scene, grid, materials, law, sources.heat);
+        if (!scene.physics.mechanics) return;
+        stress = std::make_unique<StressStep>(scene, grid, materials, sources.stress);
+        projection = std::make_unique<Projection>(scene, grid, materials, sources.body_force);
+    }
+
+    SurfaceField surface_rate_of(const State& s) const {
+        const bool carried = scene.numerics.surface_motion == SurfaceMotion::burning_with_material;
+        std::vector<Vector> velocity;
+        if (carried && !s.velocity.empty())
+            for (int i = 0; i < grid.node_columns(); ++i)
+                velocity.push_back(s.velocity(i, grid.rows()));
+        return surface_rate(grid, s.surface, law.burn_rate(grid, materials, s.temperature),
+                            velocity);
+    }
+
+    /// One step from `before`; `next` enters as a copy of it.
+    void advance(const State& before, State& next) {
+        const double dt = scene.time.step;
+        const SurfaceField rate = surface_rate_of(before);
+        if (heat) move_heat(before, next, rate, dt);
+        move_surface(next, dt);
+        if (stress) move_solid(before, next, dt);
+        next.step = before.step + 1;
+        next.time = scene.time.step * double(next.step);
+    }
+
+    void move_heat(const State& before, State& next, const SurfaceField& rate, double dt) {
+        const HeatMotion motion{before.surface, rate, before.velocity, before.temperature_rate};
+        stopwatch.measure("heat", [&] {
+            heat->advance(next.temperature, motion, before.time, dt);
+            if (!next.temperature_rate.empty())
+                material_rate(grid, before.temperature, next.temperature, motion, dt,
+                              next.temperature_rate);
+        });
+    }
+
+    /// phi' = phi + dt phi_t, with the burn rate of the new temperature (paper sec. 3.5).
+    void move_surface(State& next, double dt) {
+        stopwatch.measure("burning", [&] {
+            const SurfaceField rate = surface_rate_of(next);
+            for (size_t i = 0; i < rate.size(); ++i) {
+                next.surface[i] += dt * rate[i];
+                if (!std::isfinite(next.surface[i]))
+                    throw NumericalFailure(
+                        fmt::format("burning: the surface is not a number at node column {}", i));
+            }
+        });
+    }
+
+    void move_solid(const State& before, State& next, double dt) {
+        SurfaceField rate(before.surface.size());
+        for (size_t i = 0; i < rate.size(); ++i)
+            rate[i] = (next.surface[i] - before.surface[i]) / dt;
+        const HeatMotion old_motion{before.surface, rate, before.velocity, before.temperature_rate};
+
+        stopwatch.measure("stress", [&] {
+            stress->predict(next.stress, old_motion, next.temperature_rate, before.time, dt);
+        });
+        if (materials.moves()) stopwatch.measure("morphology", [&] { follow_material(next); });
+        stopwatch.measure("projection", [&] {
+            solver_iterations =
+                projection->solve(next.stress, next.surface, before.time + dt, dt, next.velocity);
+            check_finite(next.velocity, "projection", "velocity");
+        });
+        stopwatch.measure("stress",
+                          [&] { stress->correct(next.stress, next.surface, next.velocity, dt); });
+        if (!next.reference_shift.empty())
+            stopwatch.measure("reference map", [&] {
+                const HeatMotion new_motion{before.surface, rate, next.velocity,
+                                            next.temperature_rate};
+                advance_reference_map(grid, new_motion, dt, next.reference_shift);
+                check_finite(next.reference_shift, "reference map", "the map");
+            });
+    }
+
+    /// The grid has moved through the morphology: cells that became softer cannot hold what they
+    /// held.
+    void follow_material(State& next) {
+        CellField before(grid.cell_columns(), grid.rows());
+        for (int i = 0; i < grid.cell_columns(); ++i)
+            for (int j = 0; j < grid.rows(); ++j) before(i, j) = materials.shear_modulus(i, j);
+        materials.follow(next.surface);
+        stress->soften(next.stress, before);
+    }
+};
+
+Simulation::Simulation(Scene scene, Sources sources)
+    : rooms_(std::make_unique<Rooms>(std::move(scene), std::move(sources))) {}
+
+Simulation::~Simulation() = default;
+
+void Simulation::step() {
+    State next = rooms_->state;
+    try {
+        rooms_->advance(rooms_->state, next);
+    } catch (const NumericalFailure& failure) {
+        rooms_->materials.follow(rooms_->state.surface);
+        throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", rooms_->state.step + 1,
+                                           rooms_->state.time + rooms_->scene.time.step,
+                                           failure.what()));
+    }
+    if (!rooms_->stress && rooms_->materials.moves()) rooms_->materials.follow(next.surface);
+    rooms_->state = std::move(next);
+}
+
+void Simulation::restore(State state) {
+    const State& now = rooms_->state;
+    const bool fits =
+        state.surface.size() == now.surface.size() &&
+        state.temperature.values().size() == now.temperature.values().size() &&
+        state.velocity.values().size() == now.velocity.values().size() &&
+        state.stress.points() == now.stress.points() &&
+        state.stress.pressure.values().size() == now.stress.pressure.values().size() &&
+        state.temperature_rate.values().size() == now.temperature_rate.values().size() &&
+        state.reference_shift.values().size() == now.reference_shift.values().size();
+    if (!fits) throw InputError("checkpoint: its fields are not those of the scene");
+    rooms_->materials.follow(state.surface);
+    rooms_->state = std::move(state);
+}
+
+void Simulation::forget_factorisation() {
+    if (rooms_->projection) rooms_->projection->forget();
+}
+
+const Scene& Simulation::scene() const {
+    return rooms_->scene;
+}
+const Grid& Simulation::grid() const {
+    return rooms_->grid;
+}
+const State& Simulation::state() const {
+    return rooms_->state;
+}
+std::vector<RoomTime> Simulation::timing() const {
+    return rooms_->stopwatch.rooms();
+}
+
+Summary Simulation::summary() const {
+    const State& s = rooms_->state;
+    Summary summary;
+    summary.mean_burn_rate = mean_burn_rate(rooms_->grid, s.surface, burn_rate());
+    if (!s.temperature.empty())
+        summary.largest_temperature = *std::ranges::max_element(s.temperature.values());
+    if (!s.reference_shift.empty())
+        summary.largest_strain = *std::ranges::max_element(strain_norm().values());
+    if (rooms_->projection)
+        summary.residual = rooms_->projection->residual(s.stress, s.velocity, s.surface, s.time);
+    summary.solver_iterations = rooms_->solver_iterations;
+    return summary;
+}
+
+CellField Simulation::material_fraction() const {
+    return rooms_->materials.fraction();
+}
+
+NodeField Simulation::material_indicator() const {
+    const Grid& grid = rooms_->grid;
+    NodeField sum(grid.node_columns(), grid.rows() + 1);
+    NodeField cells(grid.node_columns(), grid.rows() + 1);
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        for (int j = 0; j < grid.rows(); ++j)
+            for (const Node& node : corners(grid, i, j)) {
+                sum(node.i, node.j) += 2.0 * rooms_->materials.fraction()(i, j) - 1.0;
+                cells(node.i, node.j) += 1.0;
+            }
+    for (size_t k = 0; k < sum.values().size(); ++k) sum.values()[k] /= cells.values()[k];
+    return sum;
+}
+
+SurfaceField Simulation::burn_rate() const {
+    return rooms_->law.burn_rate(rooms_->grid, rooms_->materials, rooms_->state.temperature);
+}
+
+Lattice<Eigen::Matrix2d> Simulation::deformation_gradient() const {
+    const State& s = rooms_->state;
+    if (s.reference_shift.empty()) return {};
+    return crawford::deformation_gradient(rooms_->grid, s.surface, s.reference_shift);
+}
+
+Lattice<std::array<double, 3>> Simulation::strain() const {
+    const auto f = deformation_gradient();
+    Lattice<std::array<double, 3>> result(f.columns(), f.rows());
+    for (size_t k = 0; k < f.values().size(); ++k) {
+        const Eigen::Matrix2d e = green_strain(f.values()[k]);
+        result.values()[k] = {e(0, 0), e(1, 1), e(0, 1)};
+    }
+    return result;
+}
+
+CellField Simulation::strain_norm() const {
+    const auto e = strain();
+    CellField result(e.columns(), e.rows());
+    const bool frobenius = rooms_->scene.numerics.strain_norm == StrainNorm::frobenius;
+    for (size_t k = 0; k < e.values().size(); ++k) {
+        const auto& [e11, e22, e12] = e.values()[k];
+        result.values()[k] = frobenius ? std::sqrt(e11 * e11 + e22 * e22 + 2.0 * e12 * e12)
+                                       : std::max({std::abs(e11), std::abs(e22), std::abs(e12)});
+    }
+    return result;
+}
+
+}  // namespace crawford

@@ -1,0 +1,131 @@
+#include "solver/stress/stress_step.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "solver/errors.hpp"
+
+namespace crawford {
+
+StressStep::StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
+                       const std::function<PlaneStress(double, double, double)>& source)
+    : grid_(grid),
+      materials_(materials),
+      neighbours_(grid, materials),
+      source_(source),
+      element_(scene.numerics.element),
+      thermal_stress_(scene.numerics.thermal_stress) {}
+
+void StressStep::predict(StressField& stress, const HeatMotion& motion,
+                         const CellField& temperature_rate, double time, double dt) const {
+    StressField next = stress;
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) {
+            for (int k = 0; k < stress.points(); ++k) {
+                Deviator& s = next.deviator[size_t(k)](i, j);
+                s = s + dt * deviator_rate(stress, k, i, j, motion, dt);
+            }
+            double& p = next.pressure(i, j);
+            p += dt * pressure_rate(stress, i, j, motion);
+            if (!temperature_rate.empty())
+                p += dt * materials_.thermal_stress(i, j, thermal_stress_) * temperature_rate(i, j);
+        }
+    if (source_) add_source(next, motion.surface, time, dt);
+    stress = std::move(next);
+}
+
+/// Velocity across the grid in cells per second: (u/dx, vbar/(d eta/dj)), vbar = v - phi_t - u
+/// phi_x.
+Vector StressStep::grid_velocity(const Cell& cell, const std::array<Node, 4>& nodes, int j,
+                                 Local at, const HeatMotion& motion) const {
+    std::array<Vector, 4> relative;
+    for (size_t k = 0; k < 4; ++k) relative[k] = relative_velocity(motion, nodes[k]);
+    const Vector w = interpolate(relative, at);
+    const double metric = (1.0 - at.b) * grid_.metric(j) + at.b * grid_.metric(j + 1);
+    return {w.x() / cell.dx, (w.y() - w.x() * cell.slope) / metric};
+}
+
+Deviator StressStep::deviator_rate(const StressField& stress, int point, int i, int j,
+                                   const HeatMotion& motion, double dt) const {
+    const Cell cell(grid_, motion.surface, i, j);
+    const auto nodes = corners(grid_, i, j);
+    const Local at = stress_points(element_)[size_t(point)];
+    const Vector w = grid_velocity(cell, nodes, j, at, motion);
+    if (!(std::abs(w.x()) * dt <= 1.0 && std::abs(w.y()) * dt <= 1.0))
+        throw NumericalFailure(
+            fmt::format("stress: the material crosses {:.3g} cells in one step at cell ({}, {}), "
+                        "limit 1; reduce time.step",
+                        dt * w.cwiseAbs().maxCoeff(), i, j));
+
+    Deviator rate =
+        -w.y() * upwind_derivative(neighbours_.along_column(stress, point, i, j), w.y());
+    if (grid_.cell_columns() > 1)
+        rate = rate - w.x() * upwind_derivative(neighbours_.along_row(stress, point, i, j), w.x());
+
+    // Jaumann rotation (paper eq. 39); sigma11 - sigma22 = s11 - s22.
+    const Eigen::Matrix2d grad_v = gradient(cell, gather(motion.velocity, nodes), at);
+    const double omega = 0.5 * (grad_v(1, 0) - grad_v(0, 1));
+    const Deviator& s = stress.deviator[size_t(point)](i, j);
+    return rate + omega * Deviator{-2.0 * s.s12, 2.0 * s.s12, s.s11 - s.s22};
+}
+
+double StressStep::pressure_rate(const StressField& stress, int i, int j,
+                                 const HeatMotion& motion) const {
+    const Cell cell(grid_, motion.surface, i, j);
+    const Vector w = grid_velocity(cell, corners(grid_, i, j), j, cell_centre, motion);
+    const CellField& p = stress.pressure;
+    double rate = -w.y() * upwind_derivative(neighbours_.along_column(p, i, j), w.y());
+    if (grid_.cell_columns() > 1)
+        rate -= w.x() * upwind_derivative(neighbours_.along_row(p, i, j), w.x());
+    return rate;
+}
+
+void StressStep::add_source(StressField& stress, const SurfaceField& surface, double time,
+                            double dt) const {
+    const auto& points = stress_points(element_);
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j)
+            for (size_t k = 0; k < points.size(); ++k) {
+                const Local at = points[k];
+                const double x = grid_.x(i) + at.a * grid_.dx();
+                const double phi = surface[size_t(i)] + at.a * grid_.dx() * grid_.slope(surface, i);
+                const double eta = grid_.eta(j) + at.b * grid_.height(j);
+                const PlaneStress s = source_(x, phi + eta, time);
+                const double mean = (s.s11 + s.s22 + s.s33) / 3.0;
+                Deviator& deviator = stress.deviator[k](i, j);
+                deviator = deviator + dt * Deviator{s.s11 - mean, s.s22 - mean, s.s12};
+                stress.pressure(i, j) -= dt * mean / double(points.size());
+            }
+}
+
+void StressStep::correct(StressField& stress, const SurfaceField& surface,
+                         const NodeVectors& velocity, double dt) const {
+    const auto& points = stress_points(element_);
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) {
+            const Cell cell(grid_, surface, i, j);
+            const auto v = gather(velocity, corners(grid_, i, j));
+            const double twice_mu = 2.0 * materials_.shear_modulus(i, j);
+            for (size_t k = 0; k < points.size(); ++k) {
+                const Eigen::Matrix2d g = gradient(cell, v, points[k]);
+                const double third = g.trace() / 3.0;
+                Deviator& s = stress.deviator[k](i, j);
+                s = s + dt * twice_mu *
+                            Deviator{g(0, 0) - third, g(1, 1) - third, 0.5 * (g(0, 1) + g(1, 0))};
+            }
+            stress.pressure(i, j) -=
+                dt * materials_.bulk_modulus(i, j) * gradient(cell, v, cell_centre).trace();
+        }
+}
+
+void StressStep::soften(StressField& stress, const CellField& before) const {
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) {
+            const double ratio = materials_.shear_modulus(i, j) / before(i, j);
+            if (ratio >= 1.0) continue;
+            for (auto& point : stress.deviator) point(i, j) = ratio * point(i, j);
+        }
+}
+
+}  // namespace crawford

@@ -1,0 +1,50 @@
+/// Hypoelastic stress: D(sigma)/Dt + sigma.omega - omega.sigma = C:D - beta (DT/Dt) I + S   (paper
+/// eq. 1-5, 18, 19, 39, 44).
+///
+/// A step is split around the projection: `predict` takes everything but C:D, `correct` adds C:D of
+/// the velocity that the projection found. Advection is WENO3 within one material.
+#pragma once
+
+#include "solver/heat/heat_step.hpp"
+#include "solver/projection/element.hpp"
+#include "solver/stress/neighbours.hpp"
+
+namespace crawford {
+
+class StressStep {
+public:
+    StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
+               const std::function<PlaneStress(double, double, double)>& source);
+
+    /// sigma*: advection, rotation, thermal stress and source over dt (paper eq. 39), from `time`.
+    /// \param temperature_rate DT/Dt [K/s] of each cell; empty without heat
+    /// \throws NumericalFailure naming the cell, if the material crosses more than a cell in the
+    /// step
+    void predict(StressField& stress, const HeatMotion& motion, const CellField& temperature_rate,
+                 double time, double dt) const;
+
+    /// sigma = sigma* + dt C:D(v) on the grid below `surface` (paper eq. 44).
+    void correct(StressField& stress, const SurfaceField& surface, const NodeVectors& velocity,
+                 double dt) const;
+
+    /// Where an interface has moved into a cell and made it softer, its deviator falls in
+    /// proportion. \param before shear modulus [Pa] of each cell before the move
+    void soften(StressField& stress, const CellField& before) const;
+
+private:
+    Vector grid_velocity(const Cell& cell, const std::array<Node, 4>& nodes, int j, Local at,
+                         const HeatMotion& motion) const;
+    Deviator deviator_rate(const StressField& stress, int point, int i, int j,
+                           const HeatMotion& motion, double dt) const;
+    double pressure_rate(const StressField& stress, int i, int j, const HeatMotion& motion) const;
+    void add_source(StressField& stress, const SurfaceField& surface, double time, double dt) const;
+
+    const Grid& grid_;
+    const MaterialMap& materials_;
+    StressNeighbours neighbours_;
+    std::function<PlaneStress(double, double, double)> source_;
+    Element element_;
+    ThermalStress thermal_stress_;
+};
+
+}  // namespace crawford
