@@ -1,0 +1,13 @@
+# Errors against cell size, with the slopes they are expected to follow.
+# Tables curve_1 ... curve_<curves> (h, error) with title_1 ..., and slope_1 ... slope_<slopes> with slope_title_1 ...
+
+@panel
+@loglog
+set title heading noenhanced
+set xlabel h_label noenhanced
+set ylabel error_label noenhanced
+set offsets graph 0.04, graph 0.04, graph 0.05, graph 0.05
+plot for [i = 1:slopes] value(sprintf('data_slope_%d', i)) using 1:2 with lines lc rgb grey lw 1 dt i + 1 \
+         title value(sprintf('slope_title_%d', i)), \
+     for [i = 1:curves] value(sprintf('data_curve_%d', i)) using 1:2 with linespoints lt i \
+         title value(sprintf('title_%d', i)) noenhanced

@@ -1,0 +1,176 @@
+#include "reports/judgement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "reports/atomic_file.hpp"
+
+namespace crawford::reports {
+namespace {
+
+constexpr std::size_t width = 100;
+constexpr std::size_t grids_per_line = 8;
+
+/// `text` broken at spaces so that no line exceeds the width (longer words are cut); every line
+/// begins with `indent`.
+std::string wrapped(const std::string& text, const std::string& indent) {
+    std::string lines, line;
+    const std::size_t room = width - indent.size();
+    const auto flush = [&] {
+        if (!line.empty()) lines += indent + line + '\n';
+        line.clear();
+    };
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (!line.empty() && line.size() + 1 + word.size() > room) flush();
+        for (; word.size() > room; word.erase(0, room))
+            lines += indent + word.substr(0, room) + '\n';
+        line += line.empty() ? word : ' ' + word;
+    }
+    flush();
+    return lines;
+}
+
+std::string row(const std::string& label, const std::vector<std::string>& cells) {
+    std::string line = fmt::format("    {:<8}", label);
+    for (const auto& cell : cells) line += fmt::format(" {:>9}", cell);
+    return line + '\n';
+}
+
+template <typename T>
+std::vector<std::string> cells(const std::vector<T>& values, std::size_t from, std::size_t to,
+                               const char* form) {
+    std::vector<std::string> texts;
+    for (std::size_t i = from; i < std::min(to, values.size()); ++i)
+        texts.push_back(fmt::format(fmt::runtime(form), values[i]));
+    return texts;
+}
+
+/// Grids, sizes, errors, and under each error the order that led to it.
+std::string numbers(const GateResult& r) {
+    std::string text;
+    for (std::size_t from = 0; from < r.grids.size(); from += grids_per_line) {
+        const std::size_t to = from + grids_per_line;
+        text += row("grid", cells(r.grids, from, to, "{}"));
+        text += row("h", cells(r.h, from, to, "{:.3e}"));
+        text += row("error", cells(r.errors, from, to, "{:.3e}"));
+        auto orders = cells(r.pairwise, from == 0 ? 0 : from - 1, to - 1, "{:.3f}");
+        if (from == 0) orders.insert(orders.begin(), "");
+        text += row("order", orders);
+    }
+    return text;
+}
+
+std::string headline(const std::string& what, bool passed) {
+    const std::string mark = passed ? "pass" : "FAIL";
+    const std::size_t room = width - mark.size() - 1;
+    if (what.size() > room) return wrapped(what + ' ' + mark, "  ");
+    return fmt::format("{:<{}} {}\n", what, room, mark);
+}
+
+std::string tolerance(double below, double above) {
+    if (below == above) return fmt::format("+- {:.3g}", below);
+    return std::isinf(above) ? fmt::format("- {:.3g}, or better", below)
+                             : fmt::format("- {:.3g} + {:.3g}", below, above);
+}
+
+std::string of_order(const GateResult& r) {
+    auto text =
+        headline(fmt::format("  {}, {}: order {:.3g} {}, grids {} to {}", r.quantity, r.norm,
+                             r.expected, tolerance(r.below, r.above), r.coarsest, r.finest),
+                 r.passed);
+    text += numbers(r);
+    text += fmt::format("    fit {:.3f}, {}", r.fit, r.verdict);
+    if (!std::isnan(r.limit.value))
+        text += fmt::format("; error at h -> 0: {:.2e}, grid uncertainty {:.2e} (x {})",
+                            r.limit.value, r.limit.uncertainty, r.limit.safety);
+    return text + '\n';
+}
+
+std::string of_bound(const GateResult& r) {
+    auto text = headline(
+        fmt::format("  {} = {:.6g}, allowed {:.6g} to {:.6g}", r.quantity, r.value, r.low, r.high),
+        r.passed);
+    if (!r.grids.empty()) text += numbers(r);
+    if (!std::isnan(r.limit.value))
+        text += fmt::format("    at h -> 0: {:.8g}, grid uncertainty {:.2e} (x {}), order {:.3f}\n",
+                            r.limit.value, r.limit.uncertainty, r.limit.safety, r.limit.observed);
+    return text;
+}
+
+std::string summary(const std::vector<GateResult>& results) {
+    const auto passed = std::ranges::count_if(results, &GateResult::passed);
+    if (results.empty()) return "no gates: nothing is shown\n";
+    return fmt::format("{} of {} gates pass\n", passed, results.size());
+}
+
+}  // namespace
+
+void to_json(nlohmann::json& json, const GateResult& r) {
+    json = {{"kind", r.kind == GateKind::order ? "order" : "bound"},
+            {"study", r.study},
+            {"quantity", r.quantity},
+            {"norm", r.norm},
+            {"reason", r.reason},
+            {"grids", r.grids},
+            {"h", r.h},
+            {"errors", r.errors},
+            {"pairwise", r.pairwise},
+            {"scale", r.scale},
+            {"coarsest", r.coarsest},
+            {"finest", r.finest},
+            {"fit", r.fit},
+            {"expected", r.expected},
+            {"below", r.below},
+            {"above", r.above},
+            {"limit",
+             {{"value", r.limit.value},
+              {"uncertainty", r.limit.uncertainty},
+              {"observed_order", r.limit.observed},
+              {"order", r.limit.order},
+              {"safety", r.limit.safety}}},
+            {"verdict", r.verdict},
+            {"value", r.value},
+            {"low", r.low},
+            {"high", r.high},
+            {"passed", r.passed},
+            {"failure", r.failure},
+            {"seconds", r.seconds}};
+}
+
+void write_json(const std::filesystem::path& file, const std::vector<GateResult>& results,
+                const nlohmann::json& heading) {
+    nlohmann::json document = heading;
+    document["passed"] = all_passed(results);
+    document["gates"] = results;
+    write_atomically(file,
+                     document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+}
+
+void write_json(const std::filesystem::path& file, const std::vector<GateResult>& results) {
+    write_json(file, results, nlohmann::json::object());
+}
+
+std::string table(const std::vector<GateResult>& results) {
+    std::string text, study;
+    for (const auto& result : results) {
+        if (result.study != study || text.empty()) text += wrapped(result.study, "");
+        study = result.study;
+        text += result.kind == GateKind::order ? of_order(result) : of_bound(result);
+        text +=
+            wrapped(fmt::format("because {} ({:.1f} s)", result.reason, result.seconds), "    ");
+        if (!result.passed) text += wrapped("FAIL: " + result.failure, "    ");
+    }
+    return text + summary(results);
+}
+
+bool all_passed(const std::vector<GateResult>& results) {
+    return !results.empty() && std::ranges::all_of(results, &GateResult::passed);
+}
+
+}  // namespace crawford::reports

@@ -1,0 +1,37 @@
+#include "reports/study.hpp"
+
+namespace crawford::reports {
+
+Study& Study::grids(std::vector<int> cells) {
+    grids_ = std::move(cells);
+    return *this;
+}
+
+Study& Study::measure(Measure measure) {
+    measure_ = std::move(measure);
+    return *this;
+}
+
+Study& Study::gate(std::string quantity, Norm norm, Expectation expected, std::string reason) {
+    rows_.emplace_back(ErrorGate{{std::move(quantity), norm, expected, std::move(reason)}});
+    return *this;
+}
+
+Study& Study::difference_gate(std::string quantity, Norm norm, Expectation expected,
+                              std::string reason) {
+    rows_.emplace_back(DifferenceGate{{std::move(quantity), norm, expected, std::move(reason)}});
+    return *this;
+}
+
+Study& Study::bound(std::string quantity, int grid, Interval allowed, std::string reason) {
+    rows_.emplace_back(GridBound{{std::move(quantity), allowed, std::move(reason)}, grid});
+    return *this;
+}
+
+Study& Study::limit_bound(std::string quantity, double formal_order, Interval allowed,
+                          std::string reason) {
+    rows_.emplace_back(LimitBound{{std::move(quantity), allowed, std::move(reason)}, formal_order});
+    return *this;
+}
+
+}  // namespace crawford::reports
