@@ -1,0 +1,28 @@
+/// Checkpoints: all that a run needs to go on, bit for bit.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "solver/output/provenance.hpp"
+#include "solver/output/steadiness.hpp"
+#include "solver/simulation/state.hpp"
+
+namespace crawford {
+
+struct Checkpoint {
+    State state;
+    std::vector<Sample> window;  ///< of Steadiness
+};
+
+/// Writes HDF5: the group /state, the window, the scene's text and where it comes from.
+/// \throws InputError if the file cannot be written; nothing is then left under its name.
+void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
+                     const Provenance& provenance);
+
+/// Reads it back.
+/// \throws InputError if the file is missing, damaged or no checkpoint, or was written for another
+/// scene; the message then names the key that differs.
+Checkpoint load_checkpoint(const std::filesystem::path& path, const std::string& scene);
+
+}  // namespace crawford

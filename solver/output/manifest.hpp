@@ -1,0 +1,30 @@
+/// manifest.json: what it takes to know where a result comes from and to compute it again.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crawford {
+
+struct Manifest {
+    std::string outcome;               ///< "running", "done" or "failed: ..."
+    std::vector<std::string> command;  ///< the command line
+    std::string scene;                 ///< canonical TOML
+    std::vector<std::uint64_t> seeds;
+    std::optional<std::string> restarted_from;  ///< a checkpoint
+    long first_step = 0;
+    long last_step = 0;
+    double time = 0.0;  ///< reached [s]
+    std::chrono::system_clock::time_point started;
+    std::chrono::system_clock::time_point ended;
+};
+
+/// Writes it, with the build, the libraries, the machine, the wall time and the peak memory so far.
+/// \throws InputError if the file cannot be written.
+void write_manifest(const std::filesystem::path& path, const Manifest& manifest);
+
+}  // namespace crawford

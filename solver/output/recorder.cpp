@@ -1,0 +1,72 @@
+#include "solver/output/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "solver/output/checkpoint.hpp"
+
+namespace crawford {
+
+namespace {
+
+History open_history(const std::filesystem::path& path, const State& state) {
+    return state.step == 0 ? History::start(path) : History::resume(path, state.time);
+}
+
+}  // namespace
+
+bool is_due(double before, double after, double interval) {
+    constexpr double grace = 1e-6;  // of an interval: times are sums of steps
+    return std::floor(after / interval + grace) > std::floor(before / interval + grace);
+}
+
+Recorder::Recorder(std::filesystem::path directory, std::string name, Provenance provenance,
+                   const Simulation& simulation)
+    : directory_(std::move(directory)),
+      name_(std::move(name)),
+      provenance_(std::move(provenance)),
+      output_(simulation.scene().output),
+      history_(open_history(directory_ / (name_ + "_history.csv"), simulation.state())),
+      snapshots_(directory_, name_, provenance_) {
+    if (simulation.state().step > 0)
+        snapshots_.resume(simulation.state().time);
+    else if (output_.snapshots_every)
+        take_snapshot(simulation);
+}
+
+void Recorder::record(Simulation& simulation, const Summary& summary, double before,
+                      const std::vector<Sample>& window) {
+    const State& state = simulation.state();
+    if (state.step % output_.history_every == 0)
+        history_.append({state.time, summary.mean_burn_rate, summary.largest_temperature,
+                         summary.largest_strain, summary.residual, summary.solver_iterations});
+    if (output_.snapshots_every && is_due(before, state.time, *output_.snapshots_every))
+        take_snapshot(simulation);
+    if (output_.checkpoint_every && is_due(before, state.time, *output_.checkpoint_every)) {
+        take_checkpoint(simulation, window);
+        simulation.forget_factorisation();
+    }
+}
+
+std::filesystem::path Recorder::keep(const Simulation& simulation,
+                                     const std::vector<Sample>& window) {
+    if (simulation.state().step != last_snapshot_) take_snapshot(simulation);
+    return take_checkpoint(simulation, window);
+}
+
+void Recorder::take_snapshot(const Simulation& simulation) {
+    snapshots_.write(collect_snapshot(simulation));
+    last_snapshot_ = simulation.state().step;
+}
+
+std::filesystem::path Recorder::take_checkpoint(const Simulation& simulation,
+                                                const std::vector<Sample>& window) {
+    const State& state = simulation.state();
+    const auto path = directory_ / fmt::format("{}_checkpoint_{:06d}.h5", name_, state.step);
+    save_checkpoint(path, {state, window}, provenance_);
+    return path;
+}
+
+}  // namespace crawford
