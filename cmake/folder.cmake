@@ -8,10 +8,7 @@ function(crawford_own_include_path name)
   set(${name}_include_path ${path} PARENT_SCOPE)
 endfunction()
 
-function(crawford_strict target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
-endfunction()
-
+# crawford_folder(NAME DEPENDS targets...): all of NAME/ as the static library NAME.
 function(crawford_folder name)
   cmake_parse_arguments(PARSE_ARGV 1 folder "" "" "DEPENDS")
   crawford_own_include_path(${name})
@@ -22,6 +19,8 @@ function(crawford_folder name)
   crawford_strict(${name})
 endfunction()
 
+# crawford_program(PROGRAM NAME DEPENDS targets...): all of NAME/ as an executable. Not a library, so that what registers
+# itself is linked although nobody calls it.
 function(crawford_program program name)
   cmake_parse_arguments(PARSE_ARGV 2 folder "" "" "DEPENDS")
   crawford_own_include_path(${name})

@@ -24,8 +24,8 @@ Unit own(ut_unit* unit) {
 }
 
 System read_system() {
-    ut_set_error_message_handler(
-        &ut_ignore);  // what is wrong is said by our exceptions, not on stderr
+    // What is wrong is said by our exceptions and not, a second time, on stderr.
+    ut_set_error_message_handler(&ut_ignore);
     System system(ut_read_xml(nullptr), &ut_free_system);
     if (!system) {
         throw InputError(
@@ -80,7 +80,6 @@ std::pair<double, std::string_view> split(std::string_view quantity, std::string
         throw InputError(
             fmt::format("does not begin with a number; write a number and a unit, in {}", unit));
     }
-    if (!std::isfinite(number)) throw InputError("is not finite");
     return {number, trimmed(text.substr(static_cast<std::size_t>(end - text.data())))};
 }
 
@@ -105,7 +104,7 @@ double read_quantity(std::string_view quantity, std::string_view unit) {
             "has the wrong dimension; expected {} or a unit that converts to it", unit));
     }
     const double value = cv_convert_double(converter.get(), number);
-    if (!std::isfinite(value)) throw InputError(fmt::format("is not finite in {}", unit));
+    if (!std::isfinite(value)) throw InputError("is not finite");
     return value;
 }
 

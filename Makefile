@@ -1,0 +1,79 @@
+# Crawford's commands. Everything they make lies in build/ and out/.
+
+FIDELITY ?= paper
+OUT ?= out
+JOBS ?= $(shell nproc)
+
+# Debian 12. OpenBLAS makes the Cholesky factorisation three times as fast as the reference BLAS does.
+PACKAGES := build-essential cmake ninja-build \
+  libeigen3-dev libsuitesparse-dev libopenblas-dev libboost-dev libhdf5-dev \
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libudunits2-dev \
+  libgtest-dev libbenchmark-dev gnuplot-nox
+TOOLS := clang-format clang-tidy
+
+SOURCES = $(shell git ls-files --cached --others --exclude-standard -- '*.cpp' '*.hpp')
+# A case is one file that bears its name.
+FIGURES = $(basename $(notdir $(wildcard cases/fig*.cpp cases/table*.cpp)))
+
+# $(call install,PACKAGES): those that are missing. The lists of packages are updated only if that fails without.
+define install
+	@missing=; \
+	for package in $(1); do \
+	  dpkg-query -W -f='$${db:Status-Status}' $$package 2>/dev/null | grep -q '^installed' || missing="$$missing $$package"; \
+	done; \
+	if [ -n "$$missing" ]; then \
+	  if [ "$$(id -u)" = 0 ]; then as_root='env'; else as_root='sudo env'; fi; \
+	  apt="$$as_root DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0"; \
+	  echo "Installing$$missing"; \
+	  $$apt install --no-install-recommends $$missing >/dev/null 2>&1 || \
+	    { $$apt update && $$apt install --no-install-recommends $$missing >/dev/null; }; \
+	fi
+endef
+
+.PHONY: help deps tools build test verify figures bench format check-format tidy clean
+
+help:
+	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short)'
+	@echo 'make test     build, then run all tests'
+	@echo 'make build    build/crawford'
+	@echo 'make figures  the figures of the paper, into $(OUT)/ (FIDELITY=draft|paper|fine, now $(FIDELITY))'
+	@echo 'make bench    how fast the parts are'
+	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
+	@echo 'make format   put all sources into the one format; make check-format only looks'
+	@echo 'make tidy     clang-tidy over all sources'
+	@echo 'make clean    remove build/'
+
+deps:
+	$(call install,$(PACKAGES))
+
+tools:
+	$(call install,$(TOOLS))
+
+build: deps
+	@cmake --preset release >/dev/null
+	@cmake --build --preset release --parallel $(JOBS)
+
+test: build
+	@ctest --preset release --parallel $(JOBS)
+
+verify: build
+	@build/crawford verify --out $(OUT)
+
+figures: build
+	build/crawford run $(FIGURES) --fidelity $(FIDELITY) --out $(OUT)
+
+bench: build
+	@cmake --build --preset release --target bench --parallel $(JOBS)
+	@build/tests/bench/bench
+
+format: tools
+	@clang-format -i $(SOURCES)
+
+check-format: tools
+	@clang-format --dry-run --Werror $(SOURCES)
+
+tidy: tools build
+	@run-clang-tidy -quiet -p build '$(CURDIR)/(solver|reference|reports|cases|tests)/.*'
+
+clean:
+	@rm -rf build

@@ -1,0 +1,32 @@
+# Does includes.cmake see what it must see? One small tree for each include, `judge`d.
+
+function(expect verdict file include)
+  file(REMOVE_RECURSE ${scratch})
+  file(WRITE ${scratch}/${file} "#pragma once\n${include}\n")
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -D root=${scratch} -P ${judge}
+    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if((verdict STREQUAL "fine" AND failed) OR (verdict STREQUAL "forbidden" AND NOT failed))
+    message(SEND_ERROR "${include} in ${file} should be ${verdict}")
+  endif()
+endfunction()
+
+expect(fine solver/a/b.hpp "#include \"solver/a/c.hpp\"")
+expect(fine solver/a/b.cpp "#include <Eigen/Core>  // not \"reference/slab.hpp\"")
+expect(fine cases/a.cpp "#include \"reference/slab.hpp\"")
+expect(fine tests/a_test.cpp "#include \"solver/a/b.hpp\"")
+expect(forbidden solver/a/b.hpp "#include \"reference/slab.hpp\"")
+expect(forbidden reference/slab.cpp "#include \"solver/a/b.hpp\"")
+expect(forbidden reports/order.hpp "#include \"solver/a/b.hpp\"")
+expect(forbidden reports/order.hpp "#include \"reference/slab.hpp\"")
+expect(forbidden solver/a/b.cpp "#include \"reports/order.hpp\"")
+expect(forbidden reference/slab.cpp "#include \"reports/order.hpp\"")
+expect(forbidden solver/a/b.cpp "#include \"cases/case.hpp\"")
+expect(forbidden solver/a/b.cpp "#include \"tests/helper.hpp\"")
+expect(forbidden solver/a/b.cpp "  #  include   \"reference/slab.hpp\"")
+expect(forbidden solver/a/b.cpp "#include <reference/slab.hpp>")
+expect(forbidden solver/a/b.cpp "#include \"../../reference/slab.hpp\"")
+expect(forbidden solver/a/b.cpp "#include \"solver/../reference/slab.hpp\"")
+expect(forbidden solver/a/b.cpp.in "#include \"reference/slab.hpp\"")
+expect(forbidden solver/a/b.cpp "#include HEADER")
+file(REMOVE_RECURSE ${scratch})
