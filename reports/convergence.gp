@@ -6,6 +6,8 @@
 set title heading noenhanced
 set xlabel h_label noenhanced
 set ylabel error_label noenhanced
+set autoscale xfix
+set autoscale yfix
 set offsets graph 0.04, graph 0.04, graph 0.05, graph 0.05
 plot for [i = 1:slopes] value(sprintf('data_slope_%d', i)) using 1:2 with lines lc rgb grey lw 1 dt i + 1 \
          title value(sprintf('slope_title_%d', i)), \

@@ -20,9 +20,7 @@ grey = '#606060'
 set border 3 lw 0.8 lc rgb grey
 set tics nomirror out scale 0.6 textcolor rgb 'black'
 set grid lc rgb '#dddddd' lw 0.6 dt 1
-set style fill solid 0.25 noborder
 set key outside right top vertical Left reverse samplen 2 spacing 1.2 width 1
-set rmargin 2
 set bmargin 5
 
 # Small print at the foot: grid, step, revision.
@@ -35,11 +33,12 @@ viridis = "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4a89', 3 '#31688
 diverging = "set palette defined (0 '#053061', 1 '#2166ac', 2 '#4393c3', 3 '#92c5de', 4 '#d1e5f0', 5 '#f7f7f7', \
 6 '#fddbc7', 7 '#f4a582', 8 '#d6604d', 9 '#b2182b', 10 '#67001f')"
 symmetric = "set cbrange [-most:most]"
-map_axes = "set view map; unset key; unset grid; set border 15; set size ratio -1; set xtics out; set ytics out; \
-set autoscale xfix; set autoscale yfix; set colorbox"
-set palette maxcolors 0
+map_axes = "set view map; unset key; unset grid; set border 15; set size ratio -1; \
+set lmargin at screen 0.17; set rmargin at screen 0.78; set bmargin at screen 0.14; set tmargin at screen 0.93; \
+set xtics out offset 0,1.2; set ytics out; set xlabel offset 0,1.4; set title offset 0,-0.4; \
+set autoscale xfix; set autoscale yfix; set autoscale cbfix; set colorbox"
 @viridis
 
-# Orders: @loglog for errors against cell size.
-loglog = "set logscale xy; set format x '10^{%T}'; set format y '10^{%T}'; set mxtics 10; set mytics 10; \
-set grid xtics ytics mxtics mytics"
+# Orders: @loglog for errors against cell size, which is halved from grid to grid.
+loglog = "set logscale x 2; set logscale y 10; set format x '%.2g'; set format y '10^{%T}'; set mytics 10; \
+set grid xtics ytics mytics"
