@@ -14,7 +14,10 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# What our own code must pass, and nobody else's headers.
+# What our own code must pass, and nobody else's headers. GCC 12 sees an overlap in any std::string + std::string that it
+# inlines (its bug 105651), so that one warning is off.
 function(crawford_strict target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 endfunction()
