@@ -1,20 +1,21 @@
-/// The sparse matrix of the projection: a nine-point stencil of 2 x 2 blocks on a pattern fixed
-/// once.
+/// The sparse matrix of the projection on a pattern fixed once: cells couple their four nodes,
+/// patches their nine.
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "solver/grid/grid.hpp"
+#include "solver/grid/cell.hpp"
 #include "solver/linear_solvers/spd_solver.hpp"
-#include "solver/projection/element.hpp"
+#include "solver/projection/checkerboard.hpp"
 
 namespace crawford {
 
 class FixedPattern {
 public:
     /// \param held unknowns whose value is zero: their row and column become those of the identity.
-    FixedPattern(const Grid& grid, const std::vector<bool>& held);
+    /// \param patches that may be added besides the cells.
+    FixedPattern(const Grid& grid, const std::vector<bool>& held,
+                 const std::vector<Patch>& patches);
 
     /// Unknown `component` (0 is u, 1 is v) of a node.
     int unknown(const Node& node, int component) const {
@@ -24,18 +25,44 @@ public:
     bool held(int unknown) const { return held_[size_t(unknown)]; }
 
     void clear();
-    void add(int i, int j, const ElementMatrix& k);  ///< the element of cell (i, j)
+
+    /// Adds the symmetric matrix of block number `block`: the cells in the order of the lattice,
+    /// then the patches. Rows and columns are (node 0 x, node 0 y, node 1 x, ...).
+    template <class Matrix>
+    void add(size_t block, const Matrix& k) {
+        const Block& target = blocks_[block];
+        const int size = int(k.rows());
+        size_t next = target.first;
+        for (int p = 0; p < size; ++p)
+            for (int q = 0; q <= p; ++q) {
+                const Slot& slot = slots_[next++];
+                if (slot.index >= 0) matrix_.valuePtr()[slot.index] += slot.weight * k(p, q);
+            }
+    }
+
     const SparseMatrix& lower() const { return matrix_; }
 
 private:
-    std::array<int, 8> cell_unknowns(int i, int j) const;
-    int slot(int row, int column) const;
+    struct Block {
+        size_t first;  ///< of its slots
+        std::vector<int> unknowns;
+    };
+    struct Slot {
+        int index;      ///< among the matrix's values; -1 for nowhere
+        double weight;  ///< 2 where both triangles of a block fall on the matrix's diagonal, else 1
+    };
+
+    template <class Nodes>
+    void append(const Nodes& nodes);
+    void reserve_pattern();
+    void find_slots();
+    int position(int row, int column) const;
 
     const Grid& grid_;
     std::vector<bool> held_;
     SparseMatrix matrix_;
-    std::vector<std::array<int, 36>>
-        slots_;  ///< where a cell's lower triangle goes, -1 for nowhere
+    std::vector<Block> blocks_;
+    std::vector<Slot> slots_;
 };
 
 }  // namespace crawford

@@ -19,16 +19,17 @@ Eigen::Matrix2d stress_at(const Deviator& s, double pressure, double viscosity,
 }  // namespace
 
 Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                       const BodyForce& body_force)
+                       const Checkerboard& checkerboard, const BodyForce& body_force)
     : grid_(grid),
       materials_(materials),
+      checkerboard_(checkerboard),
       body_force_(body_force),
       element_(scene.numerics.element),
       load_(scene.surface),
       solver_kind_(scene.numerics.solver),
       solver_tolerance_(scene.numerics.solver_tolerance),
       viscous_time_(scene.numerics.viscous_time),
-      matrix_(grid, held_unknowns(grid, scene.bottom.support)) {
+      matrix_(grid, held_unknowns(grid, scene.bottom.support), checkerboard.patches()) {
     forget();
 }
 
@@ -65,12 +66,32 @@ double Projection::residual(const StressField& stress, const NodeVectors& veloci
 
 void Projection::assemble(const SurfaceField& surface, double dt) {
     matrix_.clear();
+    add_cells(surface, dt);
+    relax_checkerboards(surface);
+}
+
+void Projection::add_cells(const SurfaceField& surface, double dt) {
+    size_t block = 0;
     for (int i = 0; i < grid_.cell_columns(); ++i)
         for (int j = 0; j < grid_.rows(); ++j) {
             const Moduli moduli{materials_.bulk_modulus(i, j),
                                 materials_.shear_modulus(i, j) + viscosity(i, j) / dt};
-            matrix_.add(i, j, stiffness(element_, Cell(grid_, surface, i, j), moduli));
+            matrix_.add(block++, stiffness(element_, Cell(grid_, surface, i, j), moduli));
         }
+}
+
+/// A dilatation that alternates over a patch meets no bulk modulus: K (theta, theta) loses its part
+/// along the checkerboard.
+void Projection::relax_checkerboards(const SurfaceField& surface) {
+    size_t block = size_t(grid_.cell_columns()) * size_t(grid_.rows());
+    for (const Patch& patch : checkerboard_.patches()) {
+        const size_t here = block++;
+        if (!checkerboard_.is_one_material(patch)) continue;
+        const auto force = checkerboard_.unit_force(patch, surface);
+        const double stiffness =
+            materials_.bulk_modulus(patch.i, patch.j) / checkerboard_.area(patch);
+        matrix_.add(here, (-stiffness * force * force.transpose()).eval());
+    }
 }
 
 Projection::Balance Projection::balance(const StressField& stress, const NodeVectors* velocity,

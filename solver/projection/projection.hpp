@@ -10,6 +10,7 @@
 
 #include "solver/linear_solvers/spd_solver.hpp"
 #include "solver/morphology/material_map.hpp"
+#include "solver/projection/element.hpp"
 #include "solver/projection/fixed_pattern.hpp"
 #include "solver/simulation/sources.hpp"
 #include "solver/stress/stress_field.hpp"
@@ -22,7 +23,7 @@ using BodyForce = std::function<Vector(double, double, double)>;
 class Projection {
 public:
     Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-               const BodyForce& body_force);
+               const Checkerboard& checkerboard, const BodyForce& body_force);
 
     /// Finds the velocity [m/s] at the end of a step of length dt that ends at `time`.
     /// \param stress sigma*, everything of the step but C:D(v)
@@ -56,6 +57,8 @@ private:
     };
 
     void assemble(const SurfaceField& surface, double dt);
+    void add_cells(const SurfaceField& surface, double dt);
+    void relax_checkerboards(const SurfaceField& surface);
     Balance balance(const StressField& stress, const NodeVectors* velocity,
                     const SurfaceField& surface, double time) const;
     void add_stress(Balance& forces, const StressField& stress, const NodeVectors* velocity,
@@ -65,6 +68,7 @@ private:
 
     const Grid& grid_;
     const MaterialMap& materials_;
+    const Checkerboard& checkerboard_;
     BodyForce body_force_;
     Element element_;
     Surface load_;

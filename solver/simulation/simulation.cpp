@@ -51,6 +51,7 @@ struct Simulation::Rooms {
     Grid grid;
     MaterialMap materials;
     BurningLaw law;
+    Checkerboard checkerboard;
     std::unique_ptr<HeatStep> heat;
     std::unique_ptr<StressStep> stress;
     std::unique_ptr<Projection> projection;
@@ -64,12 +65,14 @@ struct Simulation::Rooms {
           grid(scene.domain),
           materials(scene.morphology, grid),
           law(scene.physics.regression, scene.surface),
+          checkerboard(grid, materials, scene.numerics.element),
           state(cold_and_at_rest(scene, grid)) {
         if (scene.physics.heat)
             heat = std::make_unique<HeatStep>(scene, grid, materials, law, sources.heat);
         if (!scene.physics.mechanics) return;
-        stress = std::make_unique<StressStep>(scene, grid, materials, sources.stress);
-        projection = std::make_unique<Projection>(scene, grid, materials, sources.body_force);
+        stress = std::make_unique<StressStep>(scene, grid, materials, checkerboard, sources.stress);
+        projection =
+            std::make_unique<Projection>(scene, grid, materials, checkerboard, sources.body_force);
     }
 
     SurfaceField surface_rate_of(const State& s) const {

@@ -9,9 +9,11 @@
 namespace crawford {
 
 StressStep::StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
+                       const Checkerboard& checkerboard,
                        const std::function<PlaneStress(double, double, double)>& source)
     : grid_(grid),
       materials_(materials),
+      checkerboard_(checkerboard),
       neighbours_(grid, materials),
       source_(source),
       element_(scene.numerics.element),
@@ -32,6 +34,7 @@ void StressStep::predict(StressField& stress, const HeatMotion& motion,
                 p += dt * materials_.thermal_stress(i, j, thermal_stress_) * temperature_rate(i, j);
         }
     if (source_) add_source(next, motion.surface, time, dt);
+    checkerboard_.remove_from(next.pressure);
     stress = std::move(next);
 }
 
@@ -117,6 +120,7 @@ void StressStep::correct(StressField& stress, const SurfaceField& surface,
             stress.pressure(i, j) -=
                 dt * materials_.bulk_modulus(i, j) * gradient(cell, v, cell_centre).trace();
         }
+    checkerboard_.remove_from(stress.pressure);
 }
 
 void StressStep::soften(StressField& stress, const CellField& before) const {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/heat/heat_step.hpp"
+#include "solver/projection/checkerboard.hpp"
 #include "solver/projection/element.hpp"
 #include "solver/stress/neighbours.hpp"
 
@@ -14,6 +15,7 @@ namespace crawford {
 class StressStep {
 public:
     StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
+               const Checkerboard& checkerboard,
                const std::function<PlaneStress(double, double, double)>& source);
 
     /// sigma*: advection, rotation, thermal stress and source over dt (paper eq. 39), from `time`.
@@ -41,6 +43,7 @@ private:
 
     const Grid& grid_;
     const MaterialMap& materials_;
+    const Checkerboard& checkerboard_;
     StressNeighbours neighbours_;
     std::function<PlaneStress(double, double, double)> source_;
     Element element_;
