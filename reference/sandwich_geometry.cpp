@@ -51,8 +51,12 @@ TensorSpace sandwich_space(const SandwichGeometry& geometry, const SandwichEleme
     return {x, joined(lower, toward(-eighth, 0.0)), elements.degree};
 }
 
+bool in_strip(const SandwichGeometry& geometry, const TensorSpace::Element& element) {
+    return element.middle() < geometry.strip;
+}
+
 const Material& material_of(const SandwichGeometry& geometry, const TensorSpace::Element& element) {
-    return element.middle() < geometry.strip ? geometry.inner : geometry.outer;
+    return in_strip(geometry, element) ? geometry.inner : geometry.outer;
 }
 
 }  // namespace crawford::reference

@@ -33,7 +33,10 @@ struct SandwichElements {
 /// range.
 TensorSpace sandwich_space(const SandwichGeometry& geometry, const SandwichElements& elements);
 
-/// What fills an element; none straddles the interface.
+/// Whether an element lies in the strip; none straddles the interface.
+bool in_strip(const SandwichGeometry& geometry, const TensorSpace::Element& element);
+
+/// What fills an element.
 const Material& material_of(const SandwichGeometry& geometry, const TensorSpace::Element& element);
 
 }  // namespace crawford::reference
