@@ -33,7 +33,7 @@ struct Disc {
 struct Discs {                ///< discs of the first material in a matrix of the second
     std::vector<Disc> discs;  ///< periodic in x with the domain's width
     double period;            ///< periodic in y with this [m]; the burning surface starts at y = 0
-    std::string source;       ///< where they come from, for the manifest
+    std::string source = "";  ///< where they come from, for the manifest
 };
 
 using Shape = std::variant<Uniform, Sandwich, Discs>;
