@@ -78,18 +78,28 @@ TEST_F(OutputBurn, LeavesEveryFileWhole) {
     EXPECT_EQ(std::ranges::count(history, '\n'), 1 + 25) << "a header and every second step";
 }
 
-TEST_F(OutputBurn, RestartedInPlaceGoesOnBitForBit) {
-    burn(sandwich(), options("unbroken"));
-    Scene half = sandwich();
-    half.time.end = 0.7e-3;
-    burn(half, options("broken"));
+class OutputRestart : public OutputBurn, public ::testing::WithParamInterface<LinearSolver> {};
+
+TEST_P(OutputRestart, InPlaceGoesOnBitForBit) {
+    Scene scene = sandwich();
+    scene.numerics.solver = GetParam();
+    burn(scene, options("unbroken"));
+    Scene shorter = scene;
+    shorter.time.end = 0.7e-3;
+    burn(shorter, options("broken"));
     BurnOptions again = options("broken");
     again.restart = directory / "broken" / "run_checkpoint_000020.h5";
-    burn(sandwich(), again);
+    burn(scene, again);
     // Step 35, where the first part ended, has a snapshot that the unbroken run has not; it is not
     // in the series.
     expect_same_files(directory / "unbroken", directory / "broken");
 }
+
+INSTANTIATE_TEST_SUITE_P(Solvers, OutputRestart,
+                         ::testing::Values(LinearSolver::cholmod, LinearSolver::pcg),
+                         [](const auto& solver) {
+                             return solver.param == LinearSolver::pcg ? "pcg" : "cholmod";
+                         });
 
 TEST_F(OutputBurn, ThatFailsKeepsTheLastGoodState) {
     Sources sources;
@@ -142,6 +152,10 @@ TEST_F(OutputBurn, EndsEarlyWhenSteady) {
     const BurnOutcome outcome = burn(scene, options("out"));
     EXPECT_TRUE(outcome.steady);
     EXPECT_EQ(outcome.step, 51) << "the first step and a millisecond";
+
+    BurnOptions again = options("again");
+    again.restart = directory / "out" / "run_checkpoint_000020.h5";
+    EXPECT_EQ(burn(scene, again).step, outcome.step) << "the window is kept with the checkpoint";
 }
 
 TEST_F(OutputBurn, PrintsTheTimingOfItsRooms) {

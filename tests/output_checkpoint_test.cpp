@@ -1,7 +1,10 @@
 // A checkpoint gives back every bit of the state, to the scene that it was written for and to no
 // other.
+#include <sys/resource.h>
+
 #include <bit>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <limits>
 
@@ -161,7 +164,7 @@ TEST_F(OutputCheckpoint, ThatIsNoneIsRefused) {
     EXPECT_THROW(load_checkpoint(directory / "missing.h5", scene), InputError);
     put(file(), "no HDF5 at all");
     EXPECT_THROW(load_checkpoint(file(), scene), InputError);
-    Hdf5File::create(file()).close();
+    Hdf5File::create(file()).publish();
     EXPECT_NE(refusal(scene).find("is no checkpoint"), std::string::npos);
 }
 
@@ -178,6 +181,36 @@ TEST_F(OutputCheckpoint, ThatCannotBeWrittenLeavesNothing) {
     EXPECT_THROW(save_checkpoint(directory / "none" / "c.h5", {awkward_state(), {}}, provenance),
                  InputError);
     EXPECT_TRUE(std::filesystem::is_empty(directory));
+}
+
+/// A disk that is full after a few bytes, for this process alone.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    void (*handler_)(int);
+    rlimit before_{};
+};
+
+TEST_F(OutputCheckpoint, OnAFullDiskLeavesTheOldOneAsItWas) {
+    put(file(), "an older checkpoint");
+    {
+        const FullDisk full(1024);
+        EXPECT_THROW(save_checkpoint(file(), {awkward_state(), {}}, provenance), InputError);
+    }
+    EXPECT_EQ(content(file()), "an older checkpoint");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory), {}), 1);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_F(OutputFiles, Hdf5KeepsNumbersShapesAndLongTexts) {
     file.write("/g/numbers", std::span(numbers), {2, 3}, "Pa");
     file.write("/g/integers", std::span(integers), {2}, "1");
     file.set_attribute("/g", "text", text);
-    file.close();
+    file.publish();
 
     const Hdf5File read = Hdf5File::open(directory / "f.h5");
     EXPECT_EQ(read.shape("/g/numbers"), (Hdf5File::Shape{2, 3}));
@@ -82,7 +82,7 @@ TEST_F(OutputFiles, Hdf5SaysWhyInOneLineAndPrintsNothing) {
     const auto missing = message_of<InputError>([&] { Hdf5File::open(directory / "missing.h5"); });
     const auto foreign = message_of<InputError>([&] { Hdf5File::open(directory / "text.h5"); });
     const auto nowhere =
-        message_of<InputError>([&] { Hdf5File::create(directory / "none" / "f.h5"); });
+        message_of<InputError>([&] { Hdf5File::create(directory / "none" / "f.h5").publish(); });
     EXPECT_EQ(GetCapturedStderr(), "");
     EXPECT_NE(missing.find("missing.h5: No such file"), std::string::npos) << missing;
     EXPECT_NE(foreign.find("text.h5: "), std::string::npos) << foreign;

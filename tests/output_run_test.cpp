@@ -73,8 +73,10 @@ TEST_F(OutputRun, OutputIsDueOncePerInterval) {
         const int expected = step > 5e-3 ? int(steps) : int(double(steps) * step / 5e-3 + 1e-6);
         EXPECT_EQ(due, expected) << step;
     }
-    EXPECT_TRUE(is_due(249 * 20e-6, 250 * 20e-6, 5e-3)) << "on the very time, not a step later";
-    EXPECT_FALSE(is_due(250 * 20e-6, 251 * 20e-6, 5e-3));
+    // "20 us" is read as 1.9999999999999998e-05 s: step 500 ends at 0.009999999999999998 s.
+    const double step = 1.9999999999999998e-05;
+    EXPECT_TRUE(is_due(step * 499, step * 500, 5e-3)) << "on the very time, not a step later";
+    EXPECT_FALSE(is_due(step * 500, step * 501, 5e-3));
 }
 
 TEST_F(OutputRun, ManifestSaysWhatItTakesToRepeatIt) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,10 +14,9 @@ namespace crawford {
 class OutputTest : public ::testing::Test {
 protected:
     void SetUp() override {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        directory = std::filesystem::temp_directory_path() /
-                    ("crawford-" + std::to_string(::getpid()) + "-" + test->name());
-        std::filesystem::create_directories(directory);
+        std::string path = std::filesystem::temp_directory_path() / "crawford-XXXXXX";
+        ASSERT_NE(::mkdtemp(path.data()), nullptr);
+        directory = path;
     }
     void TearDown() override { std::filesystem::remove_all(directory); }
 

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "solver/errors.hpp"
-#include "solver/output/atomic_file.hpp"
 #include "solver/output/hdf5_file.hpp"
 #include "solver/output/scene_difference.hpp"
 
@@ -137,8 +136,7 @@ std::vector<Sample> read_window(const Hdf5File& file) {
 
 void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
                      const Provenance& provenance) {
-    PendingFile pending(path);
-    Hdf5File file = Hdf5File::create(pending.temporary());
+    Hdf5File file = Hdf5File::create(path);
     file.create_group("/crawford");
     file.write("/crawford/checkpoint_format", std::span(&format_version, 1), {}, "1");
     file.set_attribute("/crawford", "scene", provenance.scene);
@@ -146,8 +144,7 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
     file.set_attribute("/crawford", "revision", provenance.revision);
     write_state(file, checkpoint.state);
     write_window(file, checkpoint.window);
-    file.close();
-    pending.publish();
+    file.publish();
 }
 
 Checkpoint load_checkpoint(const std::filesystem::path& path, const std::string& scene) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/errors.hpp"
+#include "solver/output/atomic_file.hpp"
 
 namespace crawford {
 
@@ -84,7 +85,10 @@ Hdf5File::Hdf5File(std::filesystem::path path, const char* purpose)
 
 Hdf5File Hdf5File::create(const std::filesystem::path& path) {
     Hdf5File file(path, "write");
-    file.file_ = file.checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+    constexpr size_t increment = 1 << 20;
+    const Hdf5Handle in_memory = file.checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "");
+    file.check(H5Pset_fapl_core(in_memory.id(), increment, false) >= 0, "");
+    file.file_ = file.checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory.id()),
                               H5Fclose, "");
     return file;
 }
@@ -167,9 +171,6 @@ void Hdf5File::set_fixed_attribute(const std::string& object, const std::string&
 }
 
 bool Hdf5File::contains(const std::string& path) const {
-    // HDF5 wants every part of the path to exist before it answers for the whole.
-    for (size_t end = path.find('/', 1); end != std::string::npos; end = path.find('/', end + 1))
-        if (H5Lexists(file_.id(), path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
     return H5Lexists(file_.id(), path.c_str(), H5P_DEFAULT) > 0;
 }
 
@@ -209,8 +210,13 @@ std::string Hdf5File::text_attribute(const std::string& object, const std::strin
     return text;
 }
 
-void Hdf5File::close() {
-    check(file_.close(), "");
+void Hdf5File::publish() {
+    check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0, "");
+    const ssize_t size = H5Fget_file_image(file_.id(), nullptr, 0);
+    check(size >= 0, "");
+    std::string image(static_cast<size_t>(size), '\0');
+    check(H5Fget_file_image(file_.id(), image.data(), image.size()) == size, "");
+    write_file(path_, image);
 }
 
 template void Hdf5File::write(const std::string&, std::span<const double>, const Shape&,

@@ -27,7 +27,7 @@ public:
 
     hid_t id() const { return id_; }
     bool valid() const { return id_ >= 0; }
-    bool close();  ///< false if what was still to be written could not be
+    bool close();  ///< false if it fails
 
 private:
     hid_t id_ = H5I_INVALID_HID;
@@ -38,7 +38,7 @@ class Hdf5File {
 public:
     using Shape = std::vector<hsize_t>;
 
-    /// An empty file, in place of what was there. \throws InputError if it cannot be written.
+    /// A new file, in memory until it is published under `path`.
     static Hdf5File create(const std::filesystem::path& path);
     /// To be read. \throws InputError if there is no such file or it is no HDF5 file.
     static Hdf5File open(const std::filesystem::path& path);
@@ -65,9 +65,10 @@ public:
     std::vector<Number> read(const std::string& path) const;
     std::string text_attribute(const std::string& object, const std::string& name) const;
 
-    /// Writes what is still in memory. Without it a full disk would go unnoticed.
-    /// \throws InputError if that fails.
-    void close();
+    /// Writes the file whole, in place of what was there. HDF5 itself never touches the disk,
+    /// because after a failed write (a full disk) it cannot even be left in order. \throws
+    /// InputError if it cannot be written; nothing is then left under its name.
+    void publish();
 
 private:
     Hdf5File(std::filesystem::path path, const char* purpose);

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "solver/output/atomic_file.hpp"
 #include "solver/output/hdf5_file.hpp"
 
 namespace crawford {
@@ -110,13 +109,11 @@ void write_origin(Hdf5File& file, const Snapshot& snapshot, const Provenance& pr
 
 void write_vtkhdf(const std::filesystem::path& path, const Snapshot& snapshot,
                   const Provenance& provenance) {
-    PendingFile pending(path);
-    Hdf5File file = Hdf5File::create(pending.temporary());
+    Hdf5File file = Hdf5File::create(path);
     write_mesh(file, snapshot.position);
     write_fields(file, snapshot);
     write_origin(file, snapshot, provenance);
-    file.close();
-    pending.publish();
+    file.publish();
 }
 
 }  // namespace crawford
