@@ -1,0 +1,149 @@
+#include "cases/catalogue/sandwich.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <future>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "cases/catalogue/units.hpp"
+#include "solver/burning/burn_rate.hpp"
+#include "solver/scene/read_scene.hpp"
+#include "solver/scene/write_scene.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace crawford {
+
+namespace {
+
+using Burn = std::shared_ptr<const SandwichBurn>;
+
+Burn burn_now(const Scene& scene, const Request& request) {
+    auto burn = std::make_shared<SandwichBurn>();
+    burn->scene = scene;
+    Simulation simulation(scene);
+    const long steps = std::lround(scene.time.end / scene.time.step);
+    const std::string what =
+        scene.physics.mechanics ? "thermo-mechanical sandwich" : "thermal sandwich";
+    for (long k = 1; k <= steps; ++k) {
+        simulation.step();
+        burn->time.push_back(simulation.state().time);
+        burn->mean_burn_rate.push_back(
+            mean_burn_rate(simulation.grid(), simulation.state().surface, simulation.burn_rate()));
+        if (request.progress) request.progress(what, double(k) / double(steps));
+    }
+    burn->last = collect_snapshot(simulation);
+    return burn;
+}
+
+/// Every burn of this program, by the text of its scene. Who asks for one that is under way waits.
+class Burns {
+public:
+    Burn get(const Scene& scene, const Request& request) {
+        std::promise<Burn> promise;
+        std::shared_future<Burn> made;
+        bool mine = false;
+        {
+            const std::scoped_lock lock(mutex_);
+            auto [place, is_new] = burns_.try_emplace(to_toml(scene));
+            if (is_new) place->second = promise.get_future().share();
+            made = place->second;
+            mine = is_new;
+        }
+        if (mine) {
+            try {
+                promise.set_value(burn_now(scene, request));
+            } catch (...) {
+                promise.set_exception(std::current_exception());
+            }
+        }
+        return made.get();
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<std::string, std::shared_future<Burn>> burns_;
+};
+
+}  // namespace
+
+Scene sandwich(const std::vector<std::string>& overrides) {
+    Scene scene = read_scene(reports::source_path("cases/scenes/sandwich.toml"), overrides);
+    scene.time.until_steady.reset();
+    return scene;
+}
+
+Scene burning_sandwich(Fidelity fidelity, bool mechanics) {
+    std::vector<std::string> overrides = {fmt::format("physics.mechanics={}", mechanics),
+                                          fmt::format("physics.reference_map={}", mechanics)};
+    switch (fidelity) {
+        case Fidelity::draft:
+            overrides.insert(overrides.end(), {"domain.nx=32", "domain.ny=48", "time.step=40 us",
+                                               "time.end=0.08 s"});
+            break;
+        case Fidelity::paper:
+            overrides.insert(overrides.end(),
+                             {"domain.nx=64", "domain.ny=96", "time.step=20 us", "time.end=0.1 s"});
+            break;
+        case Fidelity::fine:
+            overrides.insert(overrides.end(), {"domain.nx=128", "domain.ny=96", "time.step=20 us",
+                                               "time.end=0.1 s"});
+    }
+    return sandwich(overrides);
+}
+
+Burn burn_sandwich(const Scene& scene, const Request& request) {
+    static Burns burns;
+    return burns.get(scene, request);
+}
+
+SurfaceLine surface_line(const Snapshot& half) {
+    SurfaceLine line;
+    const int n = half.position.columns() - 1;
+    const int top = half.position.rows() - 1;
+    for (int i = -n; i <= n; ++i) {
+        const Vector& at = half.position(std::abs(i), top);
+        line.x.push_back(i < 0 ? -at.x() : at.x());
+        line.height.push_back(at.y());
+        line.temperature.push_back(half.temperature(std::abs(i), top));
+    }
+    return line;
+}
+
+reports::QuadMap whole_map(const Snapshot& half, const std::string& name, const std::string& unit,
+                           const Lattice<double>& field, double scale) {
+    const int n = half.position.columns() - 1;
+    const int rows = half.position.rows() - 1;
+    const bool at_nodes = field.columns() == n + 1;
+    reports::QuadMap map{.columns = size_t(2 * n),
+                         .rows = size_t(rows),
+                         .x = {"x", "um", {}},
+                         .y = {"y", "um", {}},
+                         .fields = {{name, unit, {}}}};
+    for (int j = 0; j <= rows; ++j)
+        for (int i = -n; i <= n; ++i) {
+            const Vector at = half.position(std::abs(i), j) / units::um;
+            map.x.values.push_back(i < 0 ? -at.x() : at.x());
+            map.y.values.push_back(at.y());
+        }
+    for (int j = 0; j < field.rows(); ++j)
+        for (int i = -n; i < (at_nodes ? n + 1 : n); ++i) {
+            const int image = at_nodes || i >= 0 ? std::abs(i) : -i - 1;
+            map.fields.front().values.push_back(field(image, j) / scale);
+        }
+    return map;
+}
+
+std::string grid_text(const Scene& scene) {
+    const Domain& d = scene.domain;
+    return fmt::format("{} x {}, clustering {}{}", d.nx, d.ny, d.clustering,
+                       d.half ? ", half modelled" : "");
+}
+
+std::string step_text(const Scene& scene) {
+    return fmt::format("{:g} us, t = {:g} s", scene.time.step / units::us, scene.time.end);
+}
+
+}  // namespace crawford

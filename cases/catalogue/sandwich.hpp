@@ -1,0 +1,51 @@
+/// The AP/binder sandwich of cases/scenes/sandwich.toml, burnt once however many cases look at it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cases/catalogue/registry.hpp"
+#include "reports/figure_data.hpp"
+#include "solver/output/snapshot.hpp"
+
+namespace crawford {
+
+/// The scene of cases/scenes/sandwich.toml with other values for some keys ("dotted.key=value"). It
+/// goes on to time.end even if it is steady before, so that all grids of a study stop together.
+Scene sandwich(const std::vector<std::string>& overrides);
+
+/// The burning sandwich at a fidelity: paper is 64 columns over the whole width, 96 rows, steps of
+/// 20 us, until 0.1 s.
+Scene burning_sandwich(Fidelity fidelity, bool mechanics);
+
+/// What a burn leaves for figures.
+struct SandwichBurn {
+    Scene scene;
+    Snapshot last;
+    std::vector<double> time;            ///< of each step [s]
+    std::vector<double> mean_burn_rate;  ///< at each step [m/s]
+};
+
+/// Burns the scene to its end, or takes the burn of an equal scene that this program has made or is
+/// just making.
+std::shared_ptr<const SandwichBurn> burn_sandwich(const Scene& scene, const Request& request);
+
+/// A line along the surface: x from side to side of the whole sandwich [m], height and temperature
+/// of the surface [m, K].
+struct SurfaceLine {
+    std::vector<double> x, height, temperature;
+};
+SurfaceLine surface_line(const Snapshot& half);
+
+/// A field of a half sandwich, at its nodes or cells, mirrored to the whole; lengths in um, values
+/// divided by `scale`.
+reports::QuadMap whole_map(const Snapshot& half, const std::string& name, const std::string& unit,
+                           const Lattice<double>& field, double scale);
+
+/// "64 x 96, clustering 2"
+std::string grid_text(const Scene& scene);
+/// "20 us, t = 0.1 s"
+std::string step_text(const Scene& scene);
+
+}  // namespace crawford

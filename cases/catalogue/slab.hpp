@@ -1,0 +1,73 @@
+/// A homogeneous slab, once as a scene for the solver and once as conditions for the exact
+/// solution.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/slab_conditions.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace crawford {
+
+/// slab("AP", {.cells = 128}).regressing(0.45 * cm / s).heated(200 * cal / (s * cm2)).pressed(2 *
+/// MPa)
+///
+/// One periodic column that regresses at a given rate. Pyrolysis absorbs nothing, as in the paper's
+/// one-dimensional study. The two halves share the numbers given here; material properties each
+/// takes from its own table.
+class Slab {
+public:
+    struct Grid {
+        int cells;
+        double clustering = 0.0;
+        double depth = 480e-6;  ///< [m]
+    };
+
+    /// \param material "AP" or "binder"
+    Slab(std::string material, Grid grid);
+
+    Slab& regressing(double burn_rate);   ///< [m/s]
+    Slab& heated(double flux);            ///< [W/m^2]
+    Slab& pressed(double pressure);       ///< [Pa]
+    Slab& thermal_stress_alpha_k();       ///< beta = alpha K instead of 3 alpha K
+    Slab& rigid();                        ///< no mechanics
+    Slab& stepping(double cells_a_step);  ///< how far material goes in a step, in smallest cells
+
+    Scene scene() const;
+    /// The same slab, of the same finite depth, under the assumptions of `model`.
+    reference::SlabConditions conditions(reference::SlabModel model) const;
+
+private:
+    std::string material_;
+    Grid grid_;
+    double burn_rate_ = 0.0;
+    double flux_ = 0.0;
+    double pressure_ = 0.0;
+    bool alpha_k_ = false;
+    bool rigid_ = false;
+    double cells_a_step_ = 0.1;
+};
+
+Slab slab(const std::string& material, Slab::Grid grid);
+
+/// The steady column, from the bottom up. What the scene does not have is empty.
+struct SlabProfile {
+    std::vector<double> node_y;  ///< height above the surface, negative [m]
+    std::vector<double> node_weight;
+    std::vector<double> temperature;  ///< [K]
+    std::vector<double> velocity;     ///< [m/s]
+    std::vector<double> cell_y;       ///< [m]
+    std::vector<double> cell_weight;
+    std::vector<double> stress_11;  ///< [Pa]
+    std::vector<double> stress_22;  ///< [Pa]
+    std::vector<double> pressure;   ///< [Pa]
+    std::vector<double> deformation_gradient_22;
+};
+
+/// Burns until no temperature and no velocity changes by more than `tolerance` of the largest in a
+/// step. \throws NumericalFailure if that takes longer than scene.time.end.
+SlabProfile burn_to_steady(const Scene& scene, double tolerance = 1e-12);
+
+}  // namespace crawford

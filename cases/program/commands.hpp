@@ -1,0 +1,60 @@
+/// The commands of `crawford`. Each returns the exit code; what goes wrong is an exception, which
+/// main() turns into one line and a code.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/catalogue/registry.hpp"
+
+namespace crawford {
+
+namespace exit_code {
+inline constexpr int done = 0;
+inline constexpr int gate_fell_short = 1;
+inline constexpr int wrong_input = 2;
+inline constexpr int numbers_failed = 3;
+}  // namespace exit_code
+
+using CommandLine = std::vector<std::string>;  ///< as typed, for manifests
+
+struct RunOptions {
+    std::vector<std::string> cases;
+    std::string fidelity = "paper";
+    std::filesystem::path out = "out";
+    bool quiet = false;
+};
+
+struct VerifyOptions {
+    std::vector<std::string> studies;  ///< all if empty
+    std::vector<int> grids;            ///< each study's own if empty
+    std::filesystem::path out = "out/verify";
+    bool quiet = false;
+};
+
+struct BurnSceneOptions {
+    std::filesystem::path scene;
+    std::vector<std::string> set;  ///< "dotted.key=value"
+    std::filesystem::path out;     ///< out/<name of the scene> if empty
+    std::optional<std::filesystem::path> restart;
+    bool timing = false;
+    bool quiet = false;
+};
+
+/// The catalogue, on stdout.
+int list();
+
+/// Draws cases, two at a time. One that fails stops no other.
+/// \throws InputError naming the nearest case if one is unknown, before anything is computed.
+int run(const RunOptions& options, const CommandLine& command);
+
+/// Runs studies, one after the other with their grids side by side.
+/// \throws InputError as run().
+int verify(const VerifyOptions& options, const CommandLine& command);
+
+/// Burns a scene.
+int burn(const BurnSceneOptions& options, const CommandLine& command);
+
+}  // namespace crawford

@@ -1,0 +1,16 @@
+/// What went wrong, as the one line and the exit code that a user gets.
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace crawford {
+
+struct Failure {
+    std::string message;
+    int exit_code;
+};
+
+Failure failure_of(const std::exception_ptr& problem);
+
+}  // namespace crawford

@@ -1,0 +1,50 @@
+/// What --help says besides the options.
+#pragma once
+
+namespace crawford::help {
+
+inline constexpr auto program =
+    "Crawford burns a composite solid propellant and measures how right it is.";
+
+inline constexpr auto program_examples = R"(
+Examples:
+  crawford list                                what there is to draw and to verify
+  crawford run fig03                           one figure of the paper, into out/figures
+  crawford verify slab                         the solver against an exact solution
+  crawford burn cases/scenes/sandwich.toml     a scene of your own: copy this file and change it
+
+crawford COMMAND --help says more. Exit codes: 0 done, 1 a gate fell short, 2 the input is wrong,
+3 the numbers failed.)";
+
+inline constexpr auto run =
+    "Draw cases: figures and their numbers (CSV, manifest) into DIR/figures";
+
+inline constexpr auto run_examples = R"(
+draft takes seconds and is to look at, paper has the grid and step of the paper, fine goes beyond.
+
+Examples:
+  crawford run fig03 fig04
+  crawford run fig07 fig10 fig11 --fidelity draft --out out/draft)";
+
+inline constexpr auto verify = "Hold the solver against its truths; exit 1 if a gate falls short";
+
+inline constexpr auto verify_examples = R"(
+Prints every gate with its errors, orders and reason; DIR/verify.json has them all, DIR/figures the
+convergence plots. A grid that a gate needs and that is not run makes the gate fall short.
+
+Examples:
+  crawford verify
+  crawford verify slab --grids 32,64,128,256,512)";
+
+inline constexpr auto burn = "Burn a scene: snapshots, history, checkpoints and manifest into DIR";
+
+inline constexpr auto burn_examples = R"(
+Snapshots are VTKHDF: open DIR/<scene>.hdf.series in ParaView.
+
+Examples:
+  crawford burn cases/scenes/sandwich.toml
+  crawford burn cases/scenes/sandwich.toml --set surface.pressure="4 MPa" --set domain.nx=128
+  crawford burn cases/scenes/sandwich.toml --out out/s --set 'time.end="0.3 s"' \
+      --restart out/s/sandwich_checkpoint_004000.h5)";
+
+}  // namespace crawford::help
