@@ -117,6 +117,11 @@ TEST(Scene, ConvertsQuantitiesToSi) {
     EXPECT_DOUBLE_EQ(scene.time.step, 20e-6);
 }
 
+TEST(Scene, AnEmptyOverrideRemovesAKey) {
+    const Scene scene = with({"domain.clustering=1.0", "domain.clustering="});
+    EXPECT_EQ(scene.domain.clustering, Scene().domain.clustering);
+}
+
 TEST(Scene, DefaultsAreThoseOfThePlainData) {
     const Scene read = parse_scene(sandwich);
     const Scene plain;
@@ -321,6 +326,7 @@ TEST(SceneRefuses, OverridesThatAreNoAssignment) {
     expect_refused({"surface.pressure"}, {"surface.pressure", "key=value"});
     expect_refused({"=3"}, {"key=value"});
     expect_refused({"title.x=3"}, {"title", "no table"});
+    expect_refused({"time.until_steady="}, {"time.until_steady=", "does not give"});
 }
 
 // ---- values

@@ -46,7 +46,16 @@ void apply_override(toml::table& scene, std::string_view assignment) {
         table = next.as_table();
         path.remove_prefix(dot + 1);
     }
-    const toml::table value = parse_value(trimmed(assignment.substr(equals + 1)));
+    const std::string_view text = trimmed(assignment.substr(equals + 1));
+    if (text.empty()) {
+        if (table->erase(path) == 0) {
+            throw InputError(fmt::format(
+                "--set \"{}\" removes a key that the scene does not give; check its name",
+                assignment));
+        }
+        return;
+    }
+    const toml::table value = parse_value(text);
     table->insert_or_assign(path, *value.get("value"));  // a copy, which has no line
 }
 
