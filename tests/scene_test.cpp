@@ -192,7 +192,7 @@ TEST(Scene, ReadsEveryWordOfNumerics) {
     EXPECT_EQ(scene.numerics.heat_capacity, HeatCapacity::constant_volume);
     EXPECT_EQ(scene.numerics.surface_motion, SurfaceMotion::burning_with_material);
     EXPECT_EQ(scene.numerics.strain_norm, StrainNorm::largest_component);
-    EXPECT_DOUBLE_EQ(scene.numerics.viscous_time, 5e-4);
+    EXPECT_DOUBLE_EQ(scene.numerics.viscous_time.value(), 5e-4);
     EXPECT_EQ(scene.surface.traction, Traction::vertical);
     EXPECT_EQ(scene.bottom.support, Support::clamped);
     EXPECT_EQ(scene.time.until_steady, 1e-6);

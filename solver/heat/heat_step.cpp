@@ -79,6 +79,28 @@ double HeatStep::capacity(int i, int j, double temperature) const {
     return at_constant_pressure - beta * beta * temperature / materials_.bulk_modulus(i, j);
 }
 
+/// beta^2 T/K: the heat that expansion at constant pressure absorbs per degree, zero where the
+/// coupling lags.
+double HeatStep::adiabatic_capacity(int i, int j, double temperature) const {
+    if (numerics_.coupling == Coupling::lagged) return 0.0;
+    const double beta = materials_.thermal_stress(i, j, numerics_.stress_work);
+    return beta * beta * temperature / materials_.bulk_modulus(i, j);
+}
+
+/// Lagged, the stress work of one step answers that of the last with the factor -g, g = T
+/// beta^2/(rho c P): beyond g = 1 it alternates and grows, whatever the step.
+void HeatStep::check_coupling(int i, int j, double heat_capacity, double temperature) const {
+    const double beta = materials_.thermal_stress(i, j, numerics_.stress_work);
+    const double confined =
+        materials_.bulk_modulus(i, j) + 4.0 / 3.0 * materials_.shear_modulus(i, j);
+    const double coupling = temperature * beta * beta / (heat_capacity * confined);
+    if (coupling < 1.0) return;
+    throw NumericalFailure(fmt::format(
+        "heat: coupling number g = {:.4g} at cell ({}, {}), limit 1 for numerics.coupling = "
+        "\"lagged\"; take \"adiabatic\"",
+        coupling, i, j));
+}
+
 void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMotion& motion) {
     const Cell cell(grid_, motion.surface, i, j);
     const auto nodes = corners(grid_, i, j);
@@ -88,10 +110,9 @@ void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMo
 
     double heat_capacity = capacity(i, j, mean_temperature);
     if (deforms_) {
-        const double beta = materials_.thermal_stress(i, j, numerics_.stress_work);
-        const double split = numerics_.coupling == Coupling::adiabatic
-                                 ? beta * beta * mean_temperature / materials_.bulk_modulus(i, j)
-                                 : 0.0;
+        if (numerics_.coupling == Coupling::lagged)
+            check_coupling(i, j, heat_capacity, mean_temperature);
+        const double split = adiabatic_capacity(i, j, mean_temperature);
         add_stress_work(i, j, nodes, share, split, temperature, motion);
         heat_capacity += split;
     }

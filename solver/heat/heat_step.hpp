@@ -29,8 +29,8 @@ public:
 
     /// Advances T [K] from `time` by dt; the bottom row is held.
     /// \returns the sweeps of the line relaxation.
-    /// \throws NumericalFailure naming the column if it does not converge, or the node where T is
-    /// not above 0 K.
+    /// \throws NumericalFailure naming the cell where lagged coupling is beyond its limit, the
+    /// column if the relaxation does not converge, or the node where T is not above 0 K.
     int advance(NodeField& temperature, const HeatMotion& motion, double time, double dt);
 
 private:
@@ -41,6 +41,8 @@ private:
     void add_surface_flux(const NodeField& temperature, const SurfaceField& surface);
     void add_source(const SurfaceField& surface, double time);
     double capacity(int i, int j, double temperature) const;
+    double adiabatic_capacity(int i, int j, double temperature) const;
+    void check_coupling(int i, int j, double heat_capacity, double temperature) const;
 
     const Grid& grid_;
     const MaterialMap& materials_;

@@ -17,6 +17,13 @@ double harmonic(double fraction, double first, double second) {
     return 1.0 / (fraction / first + (1.0 - fraction) / second);
 }
 
+/// A cell that is full or empty but for round-off is full or empty.
+double snapped(double fraction) {
+    constexpr double round_off = 1e-9;
+    const double whole = std::round(fraction);
+    return std::abs(fraction - whole) < round_off ? whole : fraction;
+}
+
 }  // namespace
 
 MaterialMap::MaterialMap(const Morphology& morphology, const Grid& grid)
@@ -34,6 +41,7 @@ bool MaterialMap::moves() const {
 void MaterialMap::follow(const SurfaceField& surface) {
     if (const auto* sandwich = std::get_if<Sandwich>(&shape_)) fill_strip(sandwich->strip);
     if (const auto* discs = std::get_if<Discs>(&shape_)) fill_discs(*discs, surface);
+    for (double& fraction : fraction_.values()) fraction = snapped(fraction);
 }
 
 void MaterialMap::fill_strip(double width) {
@@ -60,7 +68,6 @@ void MaterialMap::fill_discs(const Discs& discs, const SurfaceField& surface) {
             for (double n = first_y; n <= last_y; ++n)
                 add_disc({disc.x + m * width, disc.y + n * discs.period}, disc.radius, surface);
     }
-    for (double& f : fraction_.values()) f = std::clamp(f, 0.0, 1.0);  // round-off of the areas
 }
 
 void MaterialMap::add_disc(Vector centre, double radius, const SurfaceField& surface) {
