@@ -23,6 +23,8 @@ public:
     Hdf5Handle(Hdf5Handle&& other) noexcept
         : id_(std::exchange(other.id_, H5I_INVALID_HID)), closer_(other.closer_) {}
     Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
+    Hdf5Handle(const Hdf5Handle&) = delete;
+    Hdf5Handle& operator=(const Hdf5Handle&) = delete;
     ~Hdf5Handle() { close(); }
 
     hid_t id() const { return id_; }
