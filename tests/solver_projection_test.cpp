@@ -70,6 +70,21 @@ TEST(Projection, IsExactWithBbarAndApproximateWithQ1) {
     EXPECT_GT(residual_after_a_step(Element::q1), 1e-4);
 }
 
+TEST(Projection, StaysExactWhileDiscsMoveThroughTheGrid) {
+    // Cells change material, and patches begin and cease to be of one: equilibrium holds after each
+    // step all the same.
+    Scene scene = testing::sandwich(16, 24);
+    scene.morphology.shape =
+        Discs{.discs = {{0.0, -60e-6, 50e-6}, {-100e-6, -150e-6, 40e-6}}, .period = 300e-6};
+    scene.physics.regression = Regression::fixed;
+    scene.surface.burn_rate = 0.02;
+    Simulation simulation(scene);
+    for (int k = 0; k < 60; ++k) {
+        simulation.step();
+        EXPECT_LT(simulation.summary().residual, 1e-12) << k;
+    }
+}
+
 TEST(Projection, AllLinearSolversAgree) {
     const auto solve = [](LinearSolver kind) {
         Scene scene = testing::mechanical_only(testing::sandwich(16, 24));

@@ -52,8 +52,9 @@ double Projection::viscosity(int i, int j) const {
     return softer * viscous_time_ * materials_.shear_modulus(i, j);
 }
 
-int Projection::solve(const StressField& stress, const SurfaceField& surface, double time,
-                      double dt, NodeVectors& velocity) {
+int Projection::solve(StressField& stress, const SurfaceField& surface, double time, double dt,
+                      NodeVectors& velocity) {
+    checkerboard_.remove_from(stress.pressure);
     assemble(surface, dt);
     const Eigen::VectorXd force = balance(stress, nullptr, surface, time).sum / dt;
     Eigen::Map<Eigen::VectorXd> flat(velocity.values().front().data(), matrix_.unknowns());

@@ -26,11 +26,10 @@ public:
                const Checkerboard& checkerboard, const BodyForce& body_force);
 
     /// Finds the velocity [m/s] at the end of a step of length dt that ends at `time`.
-    /// \param stress sigma*, everything of the step but C:D(v)
-    /// \param velocity the first guess, then the solution
-    /// \returns the iterations of the linear solver
-    /// \throws NumericalFailure if the linear solver fails
-    int solve(const StressField& stress, const SurfaceField& surface, double time, double dt,
+    /// \param stress sigma*, everything of the step but C:D(v); its pressure leaves without
+    /// checkerboards \param velocity the first guess, then the solution \returns the iterations of
+    /// the linear solver \throws NumericalFailure if the linear solver fails
+    int solve(StressField& stress, const SurfaceField& surface, double time, double dt,
               NodeVectors& velocity);
 
     /// |div sigma + b| of the discrete equations, relative to the sum of the magnitudes that should

@@ -34,7 +34,6 @@ void StressStep::predict(StressField& stress, const HeatMotion& motion,
                 p += dt * materials_.thermal_stress(i, j, thermal_stress_) * temperature_rate(i, j);
         }
     if (source_) add_source(next, motion.surface, time, dt);
-    checkerboard_.remove_from(next.pressure);
     stress = std::move(next);
 }
 
