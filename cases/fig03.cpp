@@ -33,12 +33,12 @@ int cells(Fidelity fidelity) {
 
 std::vector<Column> line(const reference::Slab& slab) {
     std::vector<Column> columns{
-        {"depth", "um", {}}, {"T", "K", {}}, {"p", "MPa", {}}, {"v", "cm/s", {}}, {"F22", "-", {}}};
+        {"depth", "um", {}}, {"T", "K", {}}, {"p", "MPa", {}}, {"v", "um/s", {}}, {"F22", "-", {}}};
     for (int k = 0; k <= 240; ++k) {
         const double y = -k * 1.0 * um;
         const reference::SlabState state = slab.state(y);
         const double row[] = {-y / um, state.temperature, state.pressure / MPa,
-                              state.velocity / (cm / s), state.deformation_gradient_22};
+                              state.velocity / (um / s), state.deformation_gradient_22};
         for (std::size_t c = 0; c < columns.size(); ++c) columns[c].values.push_back(row[c]);
     }
     return columns;
@@ -58,7 +58,7 @@ Outcome fig03(const Request& request) {
     figure
         .table("nodes", {{"depth", "um", scaled(run.node_y, -um)},
                          {"T", "K", run.temperature},
-                         {"v", "cm/s", scaled(run.velocity, cm / s)}})
+                         {"v", "um/s", scaled(run.velocity, um / s)}})
         .table("cells", {{"depth", "um", scaled(run.cell_y, -um)},
                          {"p", "MPa", scaled(run.pressure, MPa)},
                          {"F22", "-", run.deformation_gradient_22}})

@@ -23,10 +23,10 @@ plot data_exact using 'depth [um]':'p [MPa]' with lines ls 2 title 'exact', \
 
 @panel_c
 set title 'c   velocity of the solid'
-set ylabel 'v / (cm/s)'
-plot data_exact using 'depth [um]':'v [cm/s]' with lines ls 2 title 'exact', \
-     data_small_strain using 'depth [um]':'v [cm/s]' with lines ls 3 title 'Kuznetsov-Stewart', \
-     data_nodes using 'depth [um]':'v [cm/s]' with points ls 1 title 'solver'
+set ylabel 'v / (µm/s)'
+plot data_exact using 'depth [um]':'v [um/s]' with lines ls 2 title 'exact', \
+     data_small_strain using 'depth [um]':'v [um/s]' with lines ls 3 title 'Kuznetsov-Stewart', \
+     data_nodes using 'depth [um]':'v [um/s]' with points ls 1 title 'solver'
 
 @panel_d
 set title 'd   deformation gradient'

@@ -46,8 +46,8 @@ double add(Outcome& outcome, const std::string& name, const Slab& slab, SlabMode
                                 {"exact T", "K", temperatures(exact, run.node_y)}});
     outcome.scenes.push_back(scene);
     outcome.findings.push_back({name + ": surface temperature", run.temperature.back(), "K"});
-    outcome.findings.push_back({name + ": error against the exact solution",
-                                run.temperature.back() - exact.surface_temperature(), "K"});
+    outcome.findings.push_back(
+        {name + ": error of it", run.temperature.back() - exact.surface_temperature(), "K"});
     return run.temperature.back();
 }
 
@@ -71,7 +71,8 @@ Outcome fig04(const Request& request) {
     add_material(outcome, "binder", 100.0 * cal / (s * cm2), request.fidelity);
     outcome.figure.caption({.grid = fmt::format("1 x {}, clustering 2", cells(request.fidelity)),
                             .step = "steady",
-                            .revision = revision()});
+                            .revision = revision(),
+                            .note = "points: solver, lines: exact"});
     outcome.figure.panel("a").panel("b");
     return outcome;
 }

@@ -11,4 +11,11 @@ inline std::vector<double> scaled(std::vector<double> values, double unit) {
     return values;
 }
 
+/// All values less the first one.
+inline std::vector<double> above_first(std::vector<double> values) {
+    const double first = values.front();
+    for (double& value : values) value -= first;
+    return values;
+}
+
 }  // namespace crawford

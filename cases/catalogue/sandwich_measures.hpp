@@ -5,8 +5,10 @@
 
 namespace crawford {
 
-/// The largest value of a cell field, and the mean over the cells whose centres lie within a radius
-/// of it, weighted by area. The value does not converge beside a singular corner, the mean does.
+/// The largest value of a cell field, and its mean over what a disc of some radius about the peak
+/// holds of the peak's own material. The value does not converge beside a singular corner, the mean
+/// does; the other material is left out because its share of the disc depends on which cell beside
+/// the interface happens to hold the peak.
 struct Peak {
     double value;
     double mean;

@@ -1,0 +1,62 @@
+/// # Figure 7: temperature, pressure and strain in a burning sandwich
+///
+/// A strip of binder, 60 um wide, between blocks of AP burns under 2 MPa; heat flows from the flame
+/// at 200 cal/(s cm2) into AP and 160 into the binder. The sandwich is symmetric: the right half is
+/// computed and mirrored, and it stands where it has burnt to, with its surface as it is.
+///
+/// What to trust: temperature, burn rate, and the strain away from the two corners where the
+/// interface meets the surface. Stress is singular there, so peak strain and peak pressure grow
+/// with every refinement and are given with their grid only; the mean over 5 um about the peak is
+/// the number to compare.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/catalogue/registry.hpp"
+#include "cases/catalogue/sandwich.hpp"
+#include "cases/catalogue/sandwich_measures.hpp"
+#include "cases/catalogue/units.hpp"
+#include "solver/output/build_info.hpp"
+
+namespace crawford {
+
+namespace {
+
+using namespace units;
+
+Outcome fig07(const Request& request) {
+    const Scene scene = burning_sandwich(request.fidelity, true);
+    const auto burn = burn_sandwich(scene, request);
+    const Snapshot& last = burn->last;
+    const Peak strain = peak(last, last.strain_norm, 5.0 * um);
+    const Peak pressure = peak(last, last.pressure, 5.0 * um);
+
+    reports::Figure figure("fig07", request.out, "cases/fig07.gp");
+    figure.map("T", whole_map(last, "T", "K", last.temperature, 1.0))
+        .map("p", whole_map(last, "p", "MPa", last.pressure, MPa))
+        .map("strain", whole_map(last, "strain norm", "-", last.strain_norm, 1.0))
+        .map("material", whole_map(last, "fraction of AP", "-", last.material, 1.0))
+        .set("strip", 60.0)
+        .set("top", std::ranges::max(surface_line(last).height) / um)
+        .set("largest_pressure", std::abs(pressure.value) / MPa)
+        .caption({.grid = grid_text(scene), .step = step_text(scene), .revision = revision()});
+    for (const char* panel : {"a", "b", "c"})
+        figure.panel(panel, reports::Format::png, {.width = 540, .height = 500});
+    return {figure,
+            {{"mean burn rate", burn->mean_burn_rate.back() / (cm / s), "cm/s"},
+             {"strain norm, mean over 5 um about the peak", strain.mean, "-"},
+             {"strain norm, peak on this grid", strain.value, "-"},
+             {"pressure, mean over 5 um about the peak", pressure.mean / MPa, "MPa"},
+             {"pressure, peak on this grid", pressure.value / MPa, "MPa"}},
+            {scene}};
+}
+
+const Registered here{{.name = "fig07",
+                       .figure = "Fig. 7",
+                       .shows = "burning sandwich: maps of temperature, pressure, strain",
+                       .cost = {.draft = 15.0, .paper = 100.0},
+                       .draw = fig07}};
+
+}  // namespace
+
+}  // namespace crawford

@@ -1,0 +1,9 @@
+# Figure 11: thermal solid, thermo-mechanical dashed.
+
+@panel
+set xlabel 'x from the edge / µm'
+set ylabel 'height above the edge / µm'
+set xrange [0:240]
+set xtics 40
+plot data_thermal using 1:2 with lines lt 1 dt 1 title 'thermal', \
+     data_coupled using 1:2 with lines lt 2 dt 2 title 'thermo-mechanical'
