@@ -80,7 +80,7 @@ Outcome fig03(const Request& request) {
 const Registered here{{.name = "fig03",
                        .figure = "Fig. 3",
                        .shows = "thermal layer of AP against the exact slab",
-                       .cost = {.draft = 1.0, .paper = 2.0},
+                       .cost = {.draft = 1.0, .paper = 3.0},
                        .draw = fig03}};
 
 }  // namespace

@@ -79,8 +79,8 @@ Outcome fig04(const Request& request) {
 
 const Registered here{{.name = "fig04",
                        .figure = "Fig. 4",
-                       .shows = "surface temperature with and without mechanics, slabs",
-                       .cost = {.draft = 1.0, .paper = 2.0},
+                       .shows = "slabs: surface with and without mechanics",
+                       .cost = {.draft = 3.0, .paper = 8.0},
                        .draw = fig04}};
 
 }  // namespace

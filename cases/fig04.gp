@@ -8,7 +8,7 @@ set style line 3 lt 2 pt 6 ps 0.7 lw 1.2
 
 @panel_a
 set title 'a   AP, 200 cal/(s cm^2)'
-set xrange [0:12]
+set xrange [0:8]
 plot data_AP_thermal using 'depth [um]':'exact T [K]' with lines ls 1 title 'thermal', '' using 'depth [um]':'T [K]' with points ls 1 notitle, \
      data_AP_alpha using 'depth [um]':'exact T [K]' with lines ls 2 title 'β = α K', '' using 'depth [um]':'T [K]' with points ls 2 notitle, \
      data_AP_three_alpha using 'depth [um]':'exact T [K]' with lines ls 3 title 'β = 3 α K', '' using 'depth [um]':'T [K]' with points ls 3 notitle

@@ -52,8 +52,8 @@ Outcome fig10(const Request& request) {
 
 const Registered here{{.name = "fig10",
                        .figure = "Fig. 10",
-                       .shows = "sandwich: surface temperature and burn rate, two physics",
-                       .cost = {.draft = 15.0, .paper = 100.0},
+                       .shows = "sandwich: surface temperature and burn rate",
+                       .cost = {.draft = 8.0, .paper = 75.0},
                        .draw = fig10}};
 
 }  // namespace

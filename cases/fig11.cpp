@@ -60,8 +60,8 @@ Outcome fig11(const Request& request) {
 
 const Registered here{{.name = "fig11",
                        .figure = "Fig. 11",
-                       .shows = "sandwich: steady profile of the surface, two physics",
-                       .cost = {.draft = 15.0, .paper = 100.0},
+                       .shows = "sandwich: steady profile of the surface",
+                       .cost = {.draft = 8.0, .paper = 75.0},
                        .draw = fig11}};
 
 }  // namespace

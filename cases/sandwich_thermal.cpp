@@ -85,7 +85,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "sandwich-thermal",
                        .figure = "-",
                        .shows = "steady rigid sandwich against high-order elements",
-                       .cost = {.verify = 20.0},
+                       .cost = {.verify = 10.0},
                        .studies = studies}};
 
 }  // namespace

@@ -43,8 +43,7 @@ Slab burning(const std::string& material, double flux, int cells) {
     return slab(material, {.cells = cells, .clustering = 2.0, .depth = 1200.0 * um})
         .regressing(0.45 * cm / s)
         .heated(flux)
-        .pressed(pressure)
-        .stepping(0.2);
+        .pressed(pressure);
 }
 
 std::vector<double> column(const std::vector<State>& states, double State::*component) {
@@ -54,7 +53,7 @@ std::vector<double> column(const std::vector<State>& states, double State::*comp
 }
 
 reports::Measurement measure(const Slab& slab, int cells) {
-    const SlabProfile run = burn_to_steady(slab.scene(), 2e-11);
+    const SlabProfile run = burn_to_steady(slab.scene());
     const reference::Slab exact(slab.conditions(SlabModel::eulerian));
     const reference::Slab small_strain(slab.conditions(SlabModel::kuznetsov_stewart));
     const auto nodes = exact.states(run.node_y);

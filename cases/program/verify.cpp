@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cases/program/blas_threads.hpp"
 #include "cases/program/choose.hpp"
@@ -34,11 +37,16 @@ std::string file_name(const std::string& study) {
     return name;
 }
 
-void draw(const reports::Study& study, const Results& results, const std::filesystem::path& out) {
+bool has_point(const reports::ConvergenceCurve& curve) {
+    return std::ranges::any_of(curve.convergence.levels(),
+                               [](const reports::Level& level) { return level.error > 0.0; });
+}
+
+/// The convergence plot of a study, unless it reads no order or none of its runs came to an end.
+void draw(const std::string& study, const Results& results, const std::filesystem::path& out) {
     const auto curves = reports::curves_of(results);
-    if (curves.empty()) return;
-    reports::draw_convergence(file_name(study.name()), out, study.name(), curves,
-                              {.revision = revision()});
+    if (std::ranges::none_of(curves, has_point)) return;
+    reports::draw_convergence(file_name(study), out, study, curves, {.revision = revision()});
 }
 
 Results run_study(const reports::Study& study, const std::vector<int>& grids, Narrator& narrator) {
@@ -58,15 +66,18 @@ int verify(const VerifyOptions& options, const CommandLine& command) {
     prepare_directory(options.out);
 
     Narrator narrator(options.quiet);
+    std::vector<std::pair<std::string, Results>> studies;
     Results all;
     for (const Entry* entry : chosen)
         for (const reports::Study& study : entry->studies()) {
-            const Results results = run_study(study, options.grids, narrator);
-            draw(study, results, options.out);
+            studies.emplace_back(study.name(), run_study(study, options.grids, narrator));
+            const Results& results = studies.back().second;
             all.insert(all.end(), results.begin(), results.end());
         }
     reports::write_json(options.out / "verify.json", all, provenance(command));
-    std::cout << reports::table(all);
+    std::cout << reports::table(all) << std::flush;
+    // Last, so that no result is lost where gnuplot is missing.
+    for (const auto& [study, results] : studies) draw(study, results, options.out);
     return reports::all_passed(all) ? exit_code::done : exit_code::gate_fell_short;
 }
 

@@ -1,0 +1,174 @@
+/// The program as a user meets it: what it says, where, and how it ends. Every test runs the built
+/// `crawford`.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "reports/process.hpp"
+
+namespace crawford {
+namespace {
+
+namespace fs = std::filesystem;
+using reports::Finished;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string scenes = std::string(CRAWFORD_SOURCE_DIR) + "/cases/scenes/";
+
+Finished crawford(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), CRAWFORD_PROGRAM);
+    return reports::run_program(arguments);
+}
+
+/// A directory of the test's own, which does not exist yet.
+class Program : public testing::Test {
+protected:
+    Program()
+        : out_(fs::path(testing::TempDir()) /
+               (std::string("crawford_program_") +
+                testing::UnitTest::GetInstance()->current_test_info()->name())) {
+        fs::remove_all(out_);
+    }
+    ~Program() override { fs::remove_all(out_); }
+
+    std::string out() const { return out_.string(); }
+
+    fs::path out_;
+};
+
+/// Refused as wrong input, in one line that contains `message`.
+void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
+    const Finished run = crawford(arguments);
+    EXPECT_EQ(run.status, 2) << run.output;
+    EXPECT_THAT(run.output, HasSubstr(message));
+    EXPECT_THAT(run.output, testing::StartsWith("crawford: "));
+    EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
+}
+
+TEST_F(Program, ExplainsItselfToANewcomer) {
+    const Finished help = crawford({"--help"});
+    EXPECT_EQ(help.status, 0);
+    for (const char* word : {"list", "run", "verify", "burn", "Examples:", "Exit codes:",
+                             "crawford burn cases/scenes/sandwich.toml"})
+        EXPECT_THAT(help.output, HasSubstr(word));
+    for (const char* command : {"run", "verify", "burn"}) {
+        const Finished more = crawford({command, "--help"});
+        EXPECT_EQ(more.status, 0);
+        EXPECT_THAT(more.output, HasSubstr("Examples:")) << command;
+        EXPECT_THAT(more.output, HasSubstr("--out")) << command;
+    }
+    EXPECT_THAT(crawford({"--version"}).output, testing::StartsWith("crawford 0."));
+}
+
+TEST_F(Program, ListsEveryCaseOnALineThatFitsAHundredColumns) {
+    const Finished list = crawford({"list"});
+    EXPECT_EQ(list.status, 0);
+    for (const char* name : {"fig03", "fig04", "fig07", "fig10", "fig11", "slab",
+                             "sandwich-mechanical", "sandwich-thermal"})
+        EXPECT_THAT(list.output, HasSubstr(std::string("\n") + name + ' '));
+    std::istringstream lines(list.output);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST_F(Program, NamesTheRightCommandOptionOrCase) {
+    expect_refused({}, "a command is missing");
+    expect_refused({"lst"}, "unknown command lst; did you mean list?");
+    expect_refused({"run", "fig03", "--fidelty", "draft"},
+                   "unknown option --fidelty; did you mean --fidelity?");
+    expect_refused({"run", "fig03", "--fidelty=draft"}, "did you mean --fidelity?");
+    expect_refused({"run", "fig03", "--fidelity", "drft"}, "did you mean draft?");
+    expect_refused({"run"}, "CASE is required; see crawford run --help");
+    expect_refused({"run", "fig3"}, "no case is called fig3; did you mean fig03?");
+    expect_refused({"run", "slab"}, "slab is no case; use crawford verify slab");
+    expect_refused({"verify", "slb"}, "no study is called slb; did you mean slab?");
+    expect_refused({"verify", "fig03"}, "fig03 is no study; use crawford run fig03");
+    expect_refused({"list", "all"}, "unexpected argument all");
+}
+
+TEST_F(Program, RefusesGridsThatAreNone) {
+    expect_refused({"verify", "slab", "--grids", "32,many"}, "--grids = 32,many");
+    expect_refused({"verify", "slab", "--grids", "-32,64"}, "--grids holds -32");
+}
+
+TEST_F(Program, RefusesScenesBeforeAnythingIsWritten) {
+    const std::string slab = scenes + "slab.toml";
+    expect_refused({"burn", "nowhere.toml", "--out", out()}, "nowhere.toml");
+    expect_refused({"burn", slab, "--set", "surface.pressure=2 K", "--out", out()},
+                   "surface.pressure = \"2 K\" has the wrong dimension; expected Pa");
+    expect_refused({"burn", slab, "--set", "surface.presure=2 MPa", "--out", out()},
+                   "did you mean pressure?");
+    expect_refused({"burn", slab, "--set", "domain.nx=0", "--out", out()}, "domain.nx = 0");
+    expect_refused({"burn", slab, "--restart", "nothing.h5", "--out", out()}, "nothing.h5");
+    EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(Program, RefusesADirectoryItCannotWrite) {
+    expect_refused({"run", "fig03", "--out", "/dev/null/out"}, "/dev/null/out");
+    expect_refused({"verify", "slab", "--out", "/dev/null/out"}, "/dev/null/out");
+    expect_refused({"burn", scenes + "slab.toml", "--out", "/dev/null/out"}, "/dev/null/out");
+}
+
+TEST_F(Program, BurnsASceneIntoItsDirectory) {
+    const Finished burn = crawford({"burn", scenes + "slab.toml", "--set", "domain.ny=16", "--set",
+                                    "time.end=1 ms", "--timing", "--out", out()});
+    EXPECT_EQ(burn.status, 0) << burn.output;
+    EXPECT_THAT(burn.output, HasSubstr("ended at 0.001 s"));
+    EXPECT_THAT(burn.output, HasSubstr("projection")) << "--timing";
+    for (const char* file : {"slab.hdf.series", "slab_history.csv", "manifest.json"})
+        EXPECT_TRUE(fs::exists(out_ / file)) << file;
+    const auto manifest = nlohmann::json::parse(std::ifstream(out_ / "manifest.json"));
+    EXPECT_EQ(manifest.at("command").at(1), "burn");
+}
+
+TEST_F(Program, SaysWithCodeThreeThatTheNumbersFailed) {
+    const Finished burn =
+        crawford({"burn", scenes + "slab.toml", "--set", "time.step=10 ms", "--set",
+                  "output.snapshots_every=10 ms", "--quiet", "--out", out()});
+    EXPECT_EQ(burn.status, 3) << burn.output;
+    EXPECT_THAT(burn.output, HasSubstr("crosses"));
+    EXPECT_THAT(burn.output, HasSubstr("reduce time.step"));
+    EXPECT_THAT(burn.output, HasSubstr("the last good state is kept in"));
+}
+
+TEST_F(Program, DrawsAFigureWithItsNumbersAndManifest) {
+    const Finished run = crawford({"run", "fig03", "--fidelity", "draft", "--out", out()});
+    EXPECT_EQ(run.status, 0) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("error: distance to the exact solution"));
+    for (const char* file : {"fig03a.svg", "fig03d.svg", "fig03_nodes.csv"})
+        EXPECT_TRUE(fs::exists(out_ / "figures" / file)) << file;
+    const auto manifest =
+        nlohmann::json::parse(std::ifstream(out_ / "figures" / "fig03_manifest.json"));
+    EXPECT_EQ(manifest.at("fidelity"), "draft");
+    EXPECT_EQ(manifest.at("scenes").size(), 1U);
+    EXPECT_NEAR(manifest.at("findings").at(0).at("value").get<double>(), 1054.35, 0.1)
+        << "T_s of the Eulerian slab; the draft grid is within 0.1 K";
+}
+
+TEST_F(Program, TellsProgressOnlyWhenItMay) {
+    const Finished loud = crawford({"run", "fig03", "--fidelity", "draft", "--out", out()});
+    EXPECT_THAT(loud.output, HasSubstr("fig03: done in"));
+    const Finished quiet =
+        crawford({"run", "fig03", "--fidelity", "draft", "--quiet", "--out", out()});
+    EXPECT_THAT(quiet.output, Not(HasSubstr("done in")));
+}
+
+TEST_F(Program, SaysWithCodeOneThatAGateFellShort) {
+    const Finished verify =
+        crawford({"verify", "slab", "--grids", "16,32", "--quiet", "--out", out()});
+    EXPECT_EQ(verify.status, 1) << "two grids give no order, and 128 was not run";
+    EXPECT_THAT(verify.output, HasSubstr("FAIL: grid 128 was not run"));
+    const auto results = nlohmann::json::parse(std::ifstream(out_ / "verify.json"));
+    EXPECT_FALSE(results.at("passed").get<bool>());
+    EXPECT_FALSE(results.at("revision").get<std::string>().empty());
+}
+
+}  // namespace
+}  // namespace crawford
