@@ -1,0 +1,89 @@
+/// # Burning pack: does a cell carry what its material cannot?
+///
+/// The grid follows the surface through a pack of 40 discs, so cells change from AP to binder and
+/// back all the time. A cell that turns to binder and keeps the 100 MPa that AP held in shear can
+/// relax it only through a huge strain: computations of packs blow up on this. Cells that an
+/// interface cuts hold both materials by volume, in series, and what a cell can no longer hold it
+/// gives up. The peak strain of the first 30 ms is then free of jumps from step to step, and the
+/// shear stress of binder stays that of binder.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/catalogue/registry.hpp"
+#include "cases/catalogue/units.hpp"
+#include "reports/process.hpp"
+#include "solver/scene/read_scene.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace crawford {
+
+namespace {
+
+using namespace units;
+using reports::at_most;
+
+Scene scene(int columns) {
+    Scene result = read_scene(reports::source_path("cases/scenes/pack.toml"));
+    result.domain.nx = columns;
+    result.time.end = 0.03;
+    return result;
+}
+
+double largest_strain(const Simulation& simulation) {
+    return std::ranges::max(simulation.strain_norm().values());
+}
+
+/// Largest deviator of the cells that are binder and nothing else [Pa].
+double largest_binder_shear(const Simulation& simulation) {
+    const CellField material = simulation.material_fraction();
+    double largest = 0.0;
+    for (int i = 0; i < material.columns(); ++i)
+        for (int j = 0; j < material.rows(); ++j) {
+            if (material(i, j) > 0.0) continue;
+            for (const auto& point : simulation.state().stress.deviator) {
+                const Deviator& s = point(i, j);
+                largest = std::max({largest, std::abs(s.s11), std::abs(s.s22), std::abs(s.s12)});
+            }
+        }
+    return largest;
+}
+
+reports::Measurement measure(int columns) {
+    Simulation simulation(scene(columns));
+    double jump = 0.0;
+    double strain = 0.0;
+    double shear = 0.0;
+    while (simulation.state().time < simulation.scene().time.end) {
+        simulation.step();
+        const double now = largest_strain(simulation);
+        jump = std::max(jump, std::abs(now - strain));
+        strain = now;
+        shear = std::max(shear, largest_binder_shear(simulation));
+    }
+    return reports::Measurement(1.0 / columns)
+        .value("peak strain, largest change in a step", jump)
+        .value("shear stress in binder [MPa]", shear / MPa);
+}
+
+std::vector<reports::Study> studies() {
+    reports::Study study("pack-burning");
+    study.grids({120})
+        .measure(measure)
+        .bound("peak strain, largest change in a step", 120, at_most(0.1),
+               "a cell that flips as a whole makes it jump by 0.5")
+        .bound("shear stress in binder [MPa]", 120, at_most(10.0),
+               "2 mu times a strain of 1, doubled; AP beside it holds 100");
+    return {study};
+}
+
+const Registered here{
+    {.name = "pack-burning",
+     .figure = "-",
+     .shows = "72 % pack, 30 ms: no cell keeps a stress its material cannot carry",
+     .cost = {.verify = 120.0},
+     .studies = studies}};
+
+}  // namespace
+
+}  // namespace crawford
