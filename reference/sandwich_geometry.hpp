@@ -29,8 +29,8 @@ struct SandwichElements {
     double ratio = 0.3;  ///< width of a layer over that of the one before
 };
 
-/// The graded mesh. \throws std::invalid_argument naming the parameter that is missing or out of
-/// range.
+/// The graded mesh.
+/// \throws std::invalid_argument naming the parameter that is missing or out of range.
 TensorSpace sandwich_space(const SandwichGeometry& geometry, const SandwichElements& elements);
 
 /// Whether an element lies in the strip; none straddles the interface.

@@ -8,9 +8,10 @@ namespace crawford::reference {
 ///
 ///     thermal            g = rho c_p D
 ///     Kuznetsov-Stewart  g = rho c_p D + beta theta (T^2 - T0^2)/2
-///     Eulerian           g = (rho c_p + beta theta T0 - beta) expm1(theta D)/theta + beta D
-///     exp(theta D) mass conserving    g = rho c_p D + (beta theta T0 - beta) expm1(theta D)/theta
-///     + beta D exp(theta D)
+///     Eulerian           g = (rho c_p + beta theta T0 - beta) expm1(theta D)/theta
+///                            + beta D exp(theta D)
+///     mass conserving    g = rho c_p D + (beta theta T0 - beta) expm1(theta D)/theta
+///                            + beta D exp(theta D)
 ///
 /// C is the heat that leaves through the bottom of a layer of finite depth, 0 in a half space.
 class SlabEnergy {

@@ -16,14 +16,15 @@ struct ShotState {
 
 /// The homogeneous steady burning slab once more, by another road: the differential equations
 ///
-///     kappa T'' = (mass carried) c_p T' + beta T v',   sigma_22' = 0 (which gives v'),   sigma_11'
+///     kappa T'' = (mass carried) c_p T' + beta T v',   sigma_22' = 0 (which gives v'),
+///     sigma_11'
 ///
 /// are integrated from the cold side with an adaptive Bulirsch-Stoer method (Boost.Odeint), and the
 /// slope at the bottom (and r_b, under the burning law) is varied until the flux at the surface is
 /// right. Nothing of the closed form is used; the two agree to 1e-10.
 ///
-/// In a half space the integration starts 30 e-foldings below the surface on the cold solution, D ~
-/// exp(m y).
+/// In a half space the integration starts 30 e-foldings below the surface on the cold solution,
+/// D ~ exp(m y).
 class SlabShooting {
 public:
     /// \throws std::invalid_argument naming the missing or out-of-range parameter.

@@ -10,8 +10,8 @@ namespace crawford::reports {
 /// removed and a file that was there before stays.
 class AtomicFile {
 public:
-    /// Makes the directory of `target` if needed. \throws std::filesystem::filesystem_error if that
-    /// fails.
+    /// Makes the directory of `target` if needed.
+    /// \throws std::filesystem::filesystem_error if that fails.
     explicit AtomicFile(std::filesystem::path target);
     ~AtomicFile();
     AtomicFile(AtomicFile&&) noexcept;
@@ -30,8 +30,8 @@ private:
     std::filesystem::path temporary_;  // empty once committed or moved from
 };
 
-/// Writes `contents` to `target` through an AtomicFile. \throws std::filesystem::filesystem_error
-/// naming the file.
+/// Writes `contents` to `target` through an AtomicFile.
+/// \throws std::filesystem::filesystem_error naming the file.
 void write_atomically(const std::filesystem::path& target, std::string_view contents);
 
 }  // namespace crawford::reports

@@ -24,8 +24,8 @@ struct ConvergenceAxes {
 
 /// Errors, each divided by the size of its truth, against h on logarithmic axes, with one reference
 /// slope for each expected order: <name>.svg in `out`/figures, its numbers as CSV beside it. Errors
-/// that are not positive are left out. \throws FigureFailed; std::invalid_argument if no curve has
-/// a point.
+/// that are not positive are left out.
+/// \throws FigureFailed; std::invalid_argument if no curve has a point.
 std::filesystem::path draw_convergence(const std::string& name, const std::filesystem::path& out,
                                        const std::string& heading,
                                        const std::vector<ConvergenceCurve>& curves,

@@ -16,8 +16,8 @@ struct Extrapolation {
 
 /// Richardson extrapolation and grid convergence index (Roache) from the three finest grids; any
 /// refinement ratios. Applies to any number that converges: a temperature, or an error, whose limit
-/// then shows what does not vanish. All NaN if a value is NaN. \throws std::invalid_argument below
-/// three grids or if h does not fall.
+/// then shows what does not vanish. All NaN if a value is NaN.
+/// \throws std::invalid_argument below three grids or if h does not fall.
 Extrapolation extrapolate(std::span<const double> h, std::span<const double> values,
                           double formal_order);
 

@@ -54,12 +54,13 @@ struct Caption {
 class Figure {
 public:
     /// Writes to `out`/figures. A relative script is found from the source tree, wherever the
-    /// program is run. \throws std::invalid_argument if the name is not letters, digits and '_'
-    /// only, as for every name below.
+    /// program is run.
+    /// \throws std::invalid_argument if the name is not letters, digits and '_' only, as for every
+    /// name below.
     Figure(std::string name, std::filesystem::path out, std::filesystem::path script);
 
-    /// Numbers as CSV beside the figure, <figure>_<table>.csv. \throws std::invalid_argument if
-    /// columns differ in length
+    /// Numbers as CSV beside the figure, <figure>_<table>.csv.
+    /// \throws std::invalid_argument if columns differ in length
     Figure& table(const std::string& name, const std::vector<Column>& columns);
     /// A field on sloped quads, likewise; for `splot data_<name> using 1:2:3` after
     /// @colours_<name>.

@@ -32,8 +32,9 @@ struct QuadMap {
 
 /// As csv(), one scan line per row of corners and a blank line after each, as gnuplot's pm3d reads
 /// it. Cell values stand at the corner with the lowest indices of the cell; the last row and column
-/// repeat their neighbour's. \throws std::invalid_argument \see csv, or if the number of values
-/// fits neither corners nor cells.
+/// repeat their neighbour's.
+/// \throws std::invalid_argument \see csv, or if the number of values fits neither corners nor
+/// cells.
 std::string csv(const QuadMap& map);
 
 }  // namespace crawford::reports

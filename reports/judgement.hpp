@@ -14,8 +14,8 @@ namespace crawford::reports {
 void to_json(nlohmann::json& json, const GateResult& result);
 
 /// Writes {"passed": all of them (and at least one), "gates": [...]}, plus the members of `heading`
-/// (version, revision, machine), atomically. \throws std::filesystem::filesystem_error naming the
-/// file.
+/// (version, revision, machine), atomically.
+/// \throws std::filesystem::filesystem_error naming the file.
 void write_json(const std::filesystem::path& file, const std::vector<GateResult>& results,
                 const nlohmann::json& heading);
 void write_json(const std::filesystem::path& file, const std::vector<GateResult>& results);

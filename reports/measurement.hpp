@@ -31,8 +31,8 @@ public:
     /// `h` is the cell size that orders are read against, any unit.
     explicit Measurement(double h) : h_(h) {}
 
-    /// The error of a field in L1, L2, Linf and the paper's norm. \throws std::invalid_argument
-    /// \see distance
+    /// The error of a field in L1, L2, Linf and the paper's norm.
+    /// \throws std::invalid_argument \see distance
     Measurement& field(const std::string& quantity, std::span<const double> values,
                        std::span<const double> truth, std::span<const double> weights = {});
     /// An error computed elsewhere; `scale` is the size of the truth (1: the error is relative).

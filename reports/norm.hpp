@@ -27,8 +27,8 @@ std::string_view name(Norm norm);
 /// negative or none is positive, or if `magnitude` is asked of more than one value.
 double norm(Norm norm, std::span<const double> values, std::span<const double> weights = {});
 
-/// Norm of values - truth, point by point. \throws std::invalid_argument as norm(), or if the
-/// lengths differ.
+/// Norm of values - truth, point by point.
+/// \throws std::invalid_argument as norm(), or if the lengths differ.
 double distance(Norm norm, std::span<const double> values, std::span<const double> truth,
                 std::span<const double> weights = {});
 

@@ -74,7 +74,8 @@ private:
 /// Convergence of a solution without a truth, from d_i = |u_i - u_i+1| between neighbouring grids
 /// (three grids give two differences and one order). `levels` holds d_i with grid and h of the
 /// coarser of the two. The differences fall as h^p only if all grids are refined by one and the
-/// same ratio. \throws std::invalid_argument if they are not (to 1 %).
+/// same ratio.
+/// \throws std::invalid_argument if they are not (to 1 %).
 Convergence from_differences(std::vector<Level> levels, double scale = 1.0);
 
 /// Order that reads from the last pair of errors when the finest grid, refined by two, is itself

@@ -12,8 +12,8 @@ struct Finished {
 };
 
 /// Runs arguments[0], looked up in PATH, and waits for it. No shell stands between: arguments
-/// arrive as they are. Standard input is empty. \throws std::system_error if it cannot be started
-/// (not installed, say).
+/// arrive as they are. Standard input is empty.
+/// \throws std::system_error if it cannot be started (not installed, say).
 Finished run_program(const std::vector<std::string>& arguments);
 
 }  // namespace crawford::reports

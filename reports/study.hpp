@@ -83,8 +83,8 @@ using OnProgress = std::function<void(const Progress&)>;
 /// Runs the study on its own grids, or on `grids` if any are given, as many at a time as the
 /// machine has threads, and judges every row, in the order written. A run that throws fails every
 /// gate that needs it, with the reason; it stops nothing else. `on_progress` is called from one
-/// thread at a time. \throws std::invalid_argument if the study has nothing to measure, no grid or
-/// no gate.
+/// thread at a time.
+/// \throws std::invalid_argument if the study has nothing to measure, no grid or no gate.
 std::vector<GateResult> run(const Study& study, std::vector<int> grids = {},
                             const OnProgress& on_progress = {});
 

@@ -1,5 +1,5 @@
-/// What can go wrong, by name. The program turns InputError into exit code 2 and NumericalFailure
-/// into 3.
+/// What can go wrong, by name.
+/// The program turns InputError into exit code 2 and NumericalFailure into 3.
 #pragma once
 
 #include <stdexcept>
@@ -7,8 +7,8 @@
 
 namespace crawford {
 
-/// The input is wrong. The message is one line that names the key, the value, the limit and what to
-/// do.
+/// The input is wrong.
+/// The message is one line that names the key, the value, the limit and what to do.
 struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

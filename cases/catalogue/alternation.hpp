@@ -6,7 +6,8 @@
 namespace crawford {
 
 /// Rms of the fourth difference, over 16, relative to the rms of the values: 1 for a pure zigzag, 0
-/// for a cubic. \throws std::invalid_argument for fewer than five values
+/// for a cubic.
+/// \throws std::invalid_argument for fewer than five values
 double alternation(const std::vector<double>& values);
 
 /// The same for half a line that continues as its mirror image before its first value; `sign` is -1

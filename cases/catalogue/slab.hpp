@@ -1,5 +1,4 @@
-/// A homogeneous slab, once as a scene for the solver and once as conditions for the exact
-/// solution.
+/// A homogeneous slab: once a scene for the solver, once conditions for the exact solution.
 #pragma once
 
 #include <span>
@@ -11,8 +10,10 @@
 
 namespace crawford {
 
-/// slab("AP", {.cells = 128}).regressing(0.45 * cm / s).heated(200 * cal / (s * cm2)).pressed(2 *
-/// MPa)
+///     slab("AP", {.cells = 128})
+///         .regressing(0.45 * cm / s)
+///         .heated(200 * cal / (s * cm2))
+///         .pressed(2 * MPa)
 ///
 /// One periodic column that regresses at a given rate. Pyrolysis absorbs nothing, as in the paper's
 /// one-dimensional study. The two halves share the numbers given here; material properties each
@@ -66,7 +67,8 @@ struct SlabProfile {
 
 /// Burns until no temperature and no velocity changes by more than `tolerance` of the largest in a
 /// step. The thermal layer relaxes over some 1000 steps, so what is left to go is about 1000 times
-/// that: 2e-5 K. \throws NumericalFailure if that takes longer than scene.time.end.
+/// that: 2e-5 K.
+/// \throws NumericalFailure if that takes longer than scene.time.end.
 SlabProfile burn_to_steady(const Scene& scene, double tolerance = 2e-11);
 
 }  // namespace crawford

@@ -16,8 +16,9 @@ struct Answer {
     std::string text;
 };
 
-/// Reads the command line. \throws InputError, one line, for an unknown command or option (with the
-/// nearest one), a missing one, or a value that cannot be read.
+/// Reads the command line.
+/// \throws InputError, one line, for an unknown command or option (with the nearest one), a missing
+/// one, or a value that cannot be read.
 std::variant<Job, Answer> read_command_line(const CommandLine& arguments);
 
 }  // namespace crawford

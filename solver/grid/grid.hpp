@@ -24,22 +24,20 @@ public:
 
     int cell_columns() const { return cell_columns_; }
     int node_columns() const { return sides_ == Sides::mirror ? cell_columns_ + 1 : cell_columns_; }
-    int rows() const {
-        return rows_;
-    }  ///< of cells; there is one row of nodes more, j = 0 at the bottom
+    /// Of cells; there is one row of nodes more, j = 0 at the bottom.
+    int rows() const { return rows_; }
     Sides sides() const { return sides_; }
     double width() const { return dx_ * cell_columns_; }  ///< of what is modelled [m]
     double depth() const { return depth_; }               ///< [m]
     double dx() const { return dx_; }                     ///< [m]
 
-    double x(int i) const {
-        return left_ + dx_ * i;
-    }  ///< of node column i [m]; x = 0 is the axis of a sandwich
+    /// Of node column i [m]; x = 0 is the axis of a sandwich.
+    double x(int i) const { return left_ + dx_ * i; }
     double eta(int j) const { return eta_[size_t(j)]; }  ///< of node row j [m], 0 at the surface
     double height(int j) const { return eta(j + 1) - eta(j); }  ///< of cell row j [m]
 
-    /// d(eta)/dj at node row j [m]: the exact metric of paper eq. 32, for differences along a
-    /// column.
+    /// d(eta)/dj at node row j [m]: the exact metric of paper eq. 32, for differences along
+    /// a column.
     double metric(int j) const { return metric_[size_t(j)]; }
 
     /// The node column on the right of cell column i; on its left is node column i.

@@ -1,5 +1,5 @@
-/// Heat in the burning solid: rho c_p DT/Dt = div(kappa grad T) - beta T div v + q   (paper eq. 7,
-/// 11, 34, 35).
+/// Heat in the burning solid (paper eq. 7, 11, 34, 35):
+/// rho c_p DT/Dt = div(kappa grad T) - beta T div v + q.
 ///
 /// Crank-Nicolson in time. In space bilinear elements with vertex quadrature on the
 /// surface-following cells: second order, the flux through the surface is the natural boundary
@@ -18,8 +18,8 @@ struct HeatMotion {
     const SurfaceField& surface;       ///< phi [m]
     const SurfaceField& surface_rate;  ///< phi_t [m/s]
     const NodeVectors& velocity;       ///< v [m/s]; empty for a rigid solid
-    const CellField&
-        temperature_rate;  ///< DT/Dt [K/s] of the last step; empty unless the stress work is split
+    /// DT/Dt [K/s] of the last step; empty unless the stress work is split.
+    const CellField& temperature_rate;
 };
 
 class HeatStep {
@@ -55,8 +55,7 @@ private:
     NodeField load_;         ///< flux, stress work, source [W]
 };
 
-/// The material rate DT/Dt [K/s] in each cell, between two temperatures dt apart, on the moving
-/// grid.
+/// Material rate DT/Dt [K/s] of each cell, between two temperatures dt apart, on the moving grid.
 void material_rate(const Grid& grid, const NodeField& before, const NodeField& after,
                    const HeatMotion& motion, double dt, CellField& rate);
 

@@ -8,8 +8,9 @@ namespace crawford {
 
 /// Solves A x = b on the nodes above the bottom row, whose values in `x` are given; `x` enters as
 /// the first guess. Columns are swept there and back until no value changes by more than
-/// `tolerance`. \returns the number of sweeps. \throws NumericalFailure naming the column with the
-/// largest change, if 200 sweeps do not suffice.
+/// `tolerance`.
+/// \returns the number of sweeps.
+/// \throws NumericalFailure naming the column of the largest change, if 200 sweeps do not suffice.
 int relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x, double tolerance);
 
 }  // namespace crawford

@@ -42,7 +42,8 @@ public:
 
     /// A new file, in memory until it is published under `path`.
     static Hdf5File create(const std::filesystem::path& path);
-    /// To be read. \throws InputError if there is no such file or it is no HDF5 file.
+    /// To be read.
+    /// \throws InputError if there is no such file or it is no HDF5 file.
     static Hdf5File open(const std::filesystem::path& path);
 
     void create_group(const std::string& path);
@@ -68,8 +69,8 @@ public:
     std::string text_attribute(const std::string& object, const std::string& name) const;
 
     /// Writes the file whole, in place of what was there. HDF5 itself never touches the disk,
-    /// because after a failed write (a full disk) it cannot even be left in order. \throws
-    /// InputError if it cannot be written; nothing is then left under its name.
+    /// because after a failed write (a full disk) it cannot even be left in order.
+    /// \throws InputError if it cannot be written; nothing is then left under its name.
     void publish();
 
 private:

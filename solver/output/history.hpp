@@ -20,12 +20,14 @@ struct HistoryRow {
 /// Numbers have the digits it takes to read the same double again.
 class History {
 public:
-    /// Starts the file with its header. \throws InputError if it cannot be written.
+    /// Starts the file with its header.
+    /// \throws InputError if it cannot be written.
     static History start(const std::filesystem::path& path);
 
     /// Goes on after `time` [s] with the file on disk, or starts one where there is none. Rows
     /// after that time and a last line cut short are dropped, so that the file reads as that of an
-    /// unbroken run. \throws InputError if the file is no history or cannot be written.
+    /// unbroken run.
+    /// \throws InputError if the file is no history or cannot be written.
     static History resume(const std::filesystem::path& path, double time);
 
     /// \throws InputError if the row cannot be written.

@@ -20,7 +20,8 @@ bool is_due(double before, double after, double interval);
 class Recorder {
 public:
     /// For a run that begins with the state of `simulation`: at step 0 the files are new, later
-    /// they go on from there. \throws InputError if they cannot be written or gone on with.
+    /// they go on from there.
+    /// \throws InputError if they cannot be written or gone on with.
     Recorder(std::filesystem::path directory, std::string name, Provenance provenance,
              const Simulation& simulation);
 

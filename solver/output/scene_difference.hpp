@@ -7,9 +7,9 @@
 namespace crawford {
 
 /// Compares two scenes in canonical TOML. What may change between the parts of one run is left out:
-/// the title, where it ends (time.end, time.until_steady) and what it writes (output). \returns
-/// nothing if they agree, else the first key that differs, with both values. \throws InputError if
-/// one of them is no TOML.
+/// the title, where it ends (time.end, time.until_steady) and what it writes (output).
+/// \returns nothing if they agree, else the first key that differs, with both values.
+/// \throws InputError if one of them is no TOML.
 std::optional<std::string> difference(const std::string& checkpoint, const std::string& scene);
 
 }  // namespace crawford

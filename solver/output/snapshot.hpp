@@ -29,8 +29,7 @@ struct Snapshot {
     CellField strain_norm;                  ///< in the scene's norm
 };
 
-/// A node field with the column on the right side, which with periodic sides is the first one
-/// again.
+/// A node field with the column on the right side: with periodic sides, the first one again.
 template <class Value>
 Lattice<Value> with_right_side(const Grid& grid, const Lattice<Value>& field) {
     if (field.empty()) return {};

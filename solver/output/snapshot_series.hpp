@@ -1,5 +1,5 @@
-/// The snapshots of a run: one VTKHDF file a time, and the index that makes ParaView show them as
-/// one.
+/// The snapshots of a run:
+/// one VTKHDF file a time, and the index that makes ParaView show them as one.
 #pragma once
 
 #include <filesystem>

@@ -32,15 +32,13 @@ class Checkerboard {
 public:
     Checkerboard(const Grid& grid, const MaterialMap& materials, Element element);
 
-    const std::vector<Patch>& patches() const {
-        return patches_;
-    }  ///< none for the paper's element
+    /// None for the paper's element.
+    const std::vector<Patch>& patches() const { return patches_; }
 
     /// True where all four cells hold the same material and nothing else.
     bool is_one_material(const Patch& patch) const;
 
-    /// Takes the checkerboard, weighted by area, out of a cell field on every patch of one
-    /// material.
+    /// Takes the checkerboard, weighted by area, out of a cell field on patches of one material.
     void remove_from(CellField& field) const;
 
     /// Nodal forces of a unit checkerboard pressure, (node 0 x, node 0 y, ...) [m].

@@ -9,8 +9,8 @@ namespace {
 
 using Matrix4 = Eigen::Matrix4d;
 
-/// Integrals over the unit square of products of derivatives of the hats: d_a d_a, d_a d_b, d_b
-/// d_b.
+/// Integrals over the unit square of products of derivatives of the hats:
+/// d_a d_a, d_a d_b, d_b d_b.
 struct Moments {
     Matrix4 aa, ab, bb;
 };

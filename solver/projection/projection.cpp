@@ -138,8 +138,8 @@ void Projection::add_stress(Balance& forces, const StressField& stress, const No
         }
 }
 
-/// + integral of w sigma_bc . n over the surface: -p_c n ds, n ds = (-phi_x, 1) dx, or (0, -p_c)
-/// dx.
+/// + integral of w sigma_bc . n over the surface: -p_c n ds, n ds = (-phi_x, 1) dx,
+/// or (0, -p_c) dx.
 void Projection::add_traction(Balance& forces, const SurfaceField& surface) const {
     const int top = grid_.rows();
     for (int i = 0; i < grid_.cell_columns(); ++i) {

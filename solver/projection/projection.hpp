@@ -27,8 +27,10 @@ public:
 
     /// Finds the velocity [m/s] at the end of a step of length dt that ends at `time`.
     /// \param stress sigma*, everything of the step but C:D(v); its pressure leaves without
-    /// checkerboards \param velocity the first guess, then the solution \returns the iterations of
-    /// the linear solver \throws NumericalFailure if the linear solver fails
+    /// checkerboards
+    /// \param velocity the first guess, then the solution
+    /// \returns the iterations of the linear solver
+    /// \throws NumericalFailure if the linear solver fails
     int solve(StressField& stress, const SurfaceField& surface, double time, double dt,
               NodeVectors& velocity);
 

@@ -5,8 +5,7 @@
 
 namespace crawford {
 
-/// A closed interval and the unit, in udunits' spelling, that its ends and the scene's numbers are
-/// in.
+/// A closed interval and the unit, in udunits' spelling, of its ends and of the scene's numbers.
 struct Limits {
     const char* unit;  ///< "" for a pure number
     double least;

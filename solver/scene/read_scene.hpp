@@ -10,8 +10,7 @@
 
 namespace crawford {
 
-/// Reads the scene file `path` (TOML), after putting the `overrides`, "dotted.key=value", in their
-/// places.
+/// Reads the scene file `path` (TOML), with the `overrides`, "dotted.key=value", put in place.
 ///
 /// Required are domain.width, depth, nx, ny, morphology.kind with what belongs to it, time.step and
 /// time.end, the pressure where there are mechanics, the fluxes where there is heat, and the burn

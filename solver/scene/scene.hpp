@@ -1,5 +1,5 @@
-/// What to model: plain data, nothing computed. read_scene.hpp fills it from TOML; a case may fill
-/// it by hand.
+/// What to model: plain data, nothing computed.
+/// read_scene.hpp fills it from TOML; a case may fill it by hand.
 #pragma once
 
 #include <optional>

@@ -16,8 +16,8 @@ namespace crawford {
 /// Every value is asked for by its key; finish() then refuses what is left over and what was
 /// missing. A value that is absent leaves its variable as it was.
 ///
-/// All functions throw InputError: one line "FILE:LINE: table.key = VALUE what is wrong; what to
-/// do".
+/// All functions throw InputError, one line:
+/// "FILE:LINE: table.key = VALUE what is wrong; what to do".
 class TomlTable {
 public:
     /// A view: `table` must outlive it, because a copy of a toml::table forgets the lines it was

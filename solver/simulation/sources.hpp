@@ -8,8 +8,8 @@
 
 namespace crawford {
 
-/// Functions of the true place and time (x [m], y [m], t [s]). An empty one is zero and costs
-/// nothing.
+/// Functions of the true place and time (x [m], y [m], t [s]).
+/// An empty one is zero and costs nothing.
 struct Sources {
     std::function<double(double, double, double)> heat = {};         ///< q [W/m^3]
     std::function<PlaneStress(double, double, double)> stress = {};  ///< S [Pa/s]

@@ -1,5 +1,5 @@
-/// Everything a step starts from: what a checkpoint holds. A field the scene does not ask for is
-/// empty.
+/// Everything a step starts from: what a checkpoint holds.
+/// A field the scene does not ask for is empty.
 #pragma once
 
 #include "solver/fields/lattice.hpp"
@@ -14,8 +14,7 @@ struct State {
     NodeField temperature;        ///< T [K]
     NodeVectors velocity;         ///< v [m/s]
     StressField stress;           ///< sigma [Pa]
-    CellField temperature_rate;   ///< material rate DT/Dt of the last step [K/s], where the stress
-                                  ///< work is split
+    CellField temperature_rate;   ///< DT/Dt of the last step [K/s], where the stress work is split
     NodeVectors reference_shift;  ///< xi - (x, y) [m]; as a shift it is exact in a free stream
 };
 

@@ -1,5 +1,5 @@
-/// The Cauchy stress where the element carries it: a deviator at each integration point, one
-/// pressure a cell.
+/// The Cauchy stress where the element carries it:
+/// a deviator at each integration point, one pressure a cell.
 ///
 /// sigma = s - p I with tr s = 0, so that s33 = -(s11 + s22). A cell of the B-bar element has 2 x 2
 /// Gauss points, a cell of the paper's q1 element one, its centre, where (s, p) is the paper's

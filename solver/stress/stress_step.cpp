@@ -37,8 +37,8 @@ void StressStep::predict(StressField& stress, const HeatMotion& motion,
     stress = std::move(next);
 }
 
-/// Velocity across the grid in cells per second: (u/dx, vbar/(d eta/dj)), vbar = v - phi_t - u
-/// phi_x.
+/// Velocity across the grid in cells per second:
+/// (u/dx, vbar/(d eta/dj)), vbar = v - phi_t - u phi_x.
 Vector StressStep::grid_velocity(const Cell& cell, const std::array<Node, 4>& nodes, int j,
                                  Local at, const HeatMotion& motion) const {
     std::array<Vector, 4> relative;

@@ -1,5 +1,5 @@
-/// Hypoelastic stress: D(sigma)/Dt + sigma.omega - omega.sigma = C:D - beta (DT/Dt) I + S   (paper
-/// eq. 1-5, 18, 19, 39, 44).
+/// Hypoelastic stress (paper eq. 1-5, 18, 19, 39, 44):
+/// D(sigma)/Dt + sigma.omega - omega.sigma = C:D - beta (DT/Dt) I + S.
 ///
 /// A step is split around the projection: `predict` takes everything but C:D, `correct` adds C:D of
 /// the velocity that the projection found. Advection is WENO3 within one material.
@@ -20,8 +20,7 @@ public:
 
     /// sigma*: advection, rotation, thermal stress and source over dt (paper eq. 39), from `time`.
     /// \param temperature_rate DT/Dt [K/s] of each cell; empty without heat
-    /// \throws NumericalFailure naming the cell, if the material crosses more than a cell in the
-    /// step
+    /// \throws NumericalFailure naming the cell, if material crosses more than a cell in the step
     void predict(StressField& stress, const HeatMotion& motion, const CellField& temperature_rate,
                  double time, double dt) const;
 
@@ -29,8 +28,8 @@ public:
     void correct(StressField& stress, const SurfaceField& surface, const NodeVectors& velocity,
                  double dt) const;
 
-    /// Where an interface has moved into a cell and made it softer, its deviator falls in
-    /// proportion. \param before shear modulus [Pa] of each cell before the move
+    /// Where an interface has moved into a cell and softened it, its deviator falls in proportion.
+    /// \param before shear modulus [Pa] of each cell before the move
     void soften(StressField& stress, const CellField& before) const;
 
 private:
