@@ -8,6 +8,7 @@ find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(Threads REQUIRED)
+find_package(OpenMP REQUIRED)
 find_library(UDUNITS_LIBRARY udunits2 REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
@@ -27,4 +28,4 @@ target_include_directories(crawford_solver_libraries SYSTEM INTERFACE
 target_link_libraries(crawford_solver_libraries INTERFACE
   crawford_libraries
   -Wl,--push-state,--no-as-needed ${OPENBLAS_LIBRARY} -Wl,--pop-state
-  ${CHOLMOD_LIBRARY} ${HDF5_C_LIBRARIES} ${UDUNITS_LIBRARY} tomlplusplus::tomlplusplus)
+  OpenMP::OpenMP_CXX ${CHOLMOD_LIBRARY} ${HDF5_C_LIBRARIES} ${UDUNITS_LIBRARY} tomlplusplus::tomlplusplus)

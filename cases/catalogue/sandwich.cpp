@@ -70,9 +70,6 @@ private:
 }  // namespace
 
 Scene sandwich(const std::vector<std::string>& overrides) {
-    // The scanner of the units library is one for the whole program, and grids run side by side.
-    static std::mutex scanner;
-    const std::scoped_lock lock(scanner);
     Scene scene = read_scene(reports::source_path("cases/scenes/sandwich.toml"), overrides);
     scene.time.until_steady.reset();
     return scene;

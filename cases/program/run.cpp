@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "cases/program/blas_threads.hpp"
 #include "cases/program/choose.hpp"
 #include "cases/program/commands.hpp"
 #include "cases/program/failure.hpp"
@@ -119,7 +118,6 @@ private:
 }  // namespace
 
 int run(const RunOptions& options, const CommandLine& command) {
-    use_one_blas_thread();
     return Run(options, command).all();
 }
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "cases/program/blas_threads.hpp"
 #include "cases/program/choose.hpp"
 #include "cases/program/commands.hpp"
 #include "cases/program/narrator.hpp"
@@ -60,7 +59,6 @@ Results run_study(const reports::Study& study, const std::vector<int>& grids, Na
 }  // namespace
 
 int verify(const VerifyOptions& options, const CommandLine& command) {
-    use_one_blas_thread();
     check_grids(options.grids);
     const auto chosen = choose_studies(options.studies);
     prepare_directory(options.out);

@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "solver/errors.hpp"
+#include "solver/linear_solvers/one_thread.hpp"
 
 namespace crawford {
 
@@ -13,6 +14,7 @@ template <class Factorisation>
 class Direct : public SpdSolver {
 public:
     int solve(const SparseMatrix& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
+        use_one_thread();
         if (!analysed_) factorisation_.analyzePattern(lower);
         analysed_ = true;
         factorisation_.factorize(lower);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -56,7 +57,10 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+/// udunits2 scans with state of its own that two threads must not share.
 Unit parse_unit(std::string_view text) {
+    static std::mutex scanner;
+    const std::scoped_lock lock(scanner);
     const std::string one_over = text.starts_with('/') ? "1" : "";
     return own(ut_parse(unit_system(), (one_over + std::string(text)).c_str(), UT_ASCII));
 }

@@ -1,0 +1,12 @@
+/// Keeps the linear algebra libraries from starting threads of their own.
+#pragma once
+
+namespace crawford {
+
+/// One thread for OpenMP regions that the calling thread opens, and for OpenBLAS. CHOLMOD asks for
+/// four threads for dense blocks of a few dozen rows: a step of a sandwich takes twice as long with
+/// them, and runs side by side get in each other's way. Two runs at a time use two cores better
+/// than one run on both.
+void use_one_thread();
+
+}  // namespace crawford
