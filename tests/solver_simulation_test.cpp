@@ -83,6 +83,27 @@ TEST(Simulation, StopsWhereTheStepIsBeyondItsLimit) {
     EXPECT_EQ(simulation.state().step, 0);
 }
 
+TEST(Simulation, NamesTheCellWhoseStressNoNumberHolds) {
+    // sigma11 may take any value in a slab without the solid moving: 1.2e308 Pa in one cell still
+    // balances, but the sum over its four points is beyond the largest double, 1.8e308.
+    Scene scene = testing::mechanical_only(testing::slab(ammonium_perchlorate(), 16));
+    scene.time.step = 1.0;
+    const Grid grid(scene.domain);
+    Simulation simulation(scene, {.stress = [&](double, double y, double) {
+                              const bool there = y > grid.eta(8) && y < grid.eta(9);
+                              return PlaneStress{.s11 = there ? 1.2e308 : 0.0};
+                          }});
+    try {
+        simulation.step();
+        FAIL() << "a stress that no number holds went unseen";
+    } catch (const NumericalFailure& failure) {
+        const std::string said = failure.what();
+        EXPECT_NE(said.find("stress"), std::string::npos) << said;
+        EXPECT_NE(said.find("cell (0, 8)"), std::string::npos) << said;
+    }
+    EXPECT_EQ(simulation.state().step, 0);
+}
+
 TEST(Simulation, HeatsByASourceAsByItsIntegral) {
     // A uniform source in an insulated solid at rest: rho c_p dT/dt = q, away from the held bottom.
     Scene scene = testing::slab(ammonium_perchlorate(), 16);

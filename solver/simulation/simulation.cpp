@@ -24,14 +24,13 @@ State cold_and_at_rest(const Scene& scene, const Grid& grid) {
     state.surface.assign(size_t(columns), 0.0);
     if (scene.physics.heat) state.temperature = NodeField(columns, rows, scene.bottom.temperature);
     if (scene.physics.mechanics) {
-        state.velocity = NodeVectors(columns, rows, Vector::Zero());
+        state.velocity = NodeVectors(columns, rows);
         state.stress = StressField(grid.cell_columns(), grid.rows(),
                                    int(stress_points(scene.numerics.element).size()));
     }
     if (scene.physics.heat && scene.physics.mechanics)
         state.temperature_rate = CellField(grid.cell_columns(), grid.rows());
-    if (scene.physics.reference_map)
-        state.reference_shift = NodeVectors(columns, rows, Vector::Zero());
+    if (scene.physics.reference_map) state.reference_shift = NodeVectors(columns, rows);
     return state;
 }
 
@@ -41,6 +40,16 @@ void check_finite(const NodeVectors& field, const char* room, const char* name) 
             if (!field(i, j).allFinite())
                 throw NumericalFailure(
                     fmt::format("{}: {} is not a number at node ({}, {})", room, name, i, j));
+}
+
+void check_finite(const StressField& stress) {
+    for (int i = 0; i < stress.pressure.columns(); ++i)
+        for (int j = 0; j < stress.pressure.rows(); ++j) {
+            const PlaneStress mean = stress.mean(i, j);
+            if (!std::isfinite(mean.s11 + mean.s22 + mean.s33 + mean.s12))
+                throw NumericalFailure(
+                    fmt::format("stress: the stress is not a number in cell ({}, {})", i, j));
+        }
 }
 
 }  // namespace
@@ -134,8 +143,10 @@ struct Simulation::Rooms {
                 projection->solve(next.stress, next.surface, before.time + dt, dt, next.velocity);
             check_finite(next.velocity, "projection", "velocity");
         });
-        stopwatch.measure("stress",
-                          [&] { stress->correct(next.stress, next.surface, next.velocity, dt); });
+        stopwatch.measure("stress", [&] {
+            stress->correct(next.stress, next.surface, next.velocity, dt);
+            check_finite(next.stress);
+        });
         if (!next.reference_shift.empty())
             stopwatch.measure("reference map", [&] {
                 const HeatMotion new_motion{before.surface, rate, next.velocity,

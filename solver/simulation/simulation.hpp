@@ -1,5 +1,5 @@
-/// The order of a step (paper section 3.5): heat, burning, stress, projection, stress, reference
-/// map.
+/// The order of a step (paper section 3.5):
+/// heat, burning, stress, projection, stress, reference map.
 #pragma once
 
 #include <memory>
@@ -25,10 +25,12 @@ struct Summary {
 
 class Simulation {
 public:
-    /// Allocates what the scene asks for and nothing else, and sets the start of the model: cold,
-    /// at rest, unstressed.
+    /// Allocates what the scene asks for and nothing else, and sets the start of the model:
+    /// cold, at rest, unstressed.
     explicit Simulation(Scene scene, Sources sources = {});
     ~Simulation();
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
 
     /// Advances the state by one step.
     /// \throws NumericalFailure naming the step, the room and the place; state() is then still the
