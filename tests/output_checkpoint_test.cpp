@@ -61,10 +61,10 @@ State awkward_state() {
     state.time = 0.1 + 0.2;
     state.surface = {next(), next(), next()};
     state.temperature = NodeField(3, 5);
-    state.velocity = NodeVectors(3, 5, Vector::Zero());
+    state.velocity = NodeVectors(3, 5);
     state.stress = StressField(3, 4, 4);
     state.temperature_rate = CellField(3, 4);
-    state.reference_shift = NodeVectors(3, 5, Vector::Zero());
+    state.reference_shift = NodeVectors(3, 5);
     for (double& value : state.temperature.values()) value = next();
     for (Vector& value : state.velocity.values()) value = {next(), next()};
     for (auto& point : state.stress.deviator)

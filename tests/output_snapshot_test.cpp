@@ -25,7 +25,7 @@ State telling_state(const Grid& grid) {
     state.step = 42;
     state.time = 0.125;
     state.temperature = NodeField(columns, rows);
-    state.velocity = NodeVectors(columns, rows, Vector::Zero());
+    state.velocity = NodeVectors(columns, rows);
     state.reference_shift = NodeVectors(columns, rows, Vector(0.25, 0.0));
     state.stress = StressField(grid.cell_columns(), grid.rows(), 4);
     for (int i = 0; i < columns; ++i) {

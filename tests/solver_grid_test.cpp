@@ -6,6 +6,13 @@
 namespace crawford {
 namespace {
 
+TEST(Lattice, StartsAtZeroWhateverItsValues) {
+    const NodeVectors vectors(3, 5);
+    for (const Vector& value : vectors.values()) EXPECT_EQ(value, Vector::Zero());
+    const NodeField numbers(3, 5);
+    for (const double value : numbers.values()) EXPECT_EQ(value, 0.0);
+}
+
 TEST(Grid, ClustersAsThePaperSays) {
     // Paper sec. 5.1 and 5.2: c = 2, ny = 96 gives 1.25 um for 480 um, 1.875 ("2") um for 720 um;
     // d(eta)/d(etahat) is 2^-c at the surface and 1 + 2c at the bottom.

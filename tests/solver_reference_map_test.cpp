@@ -16,8 +16,8 @@ TEST(ReferenceMap, FollowsASimpleShearExactlyUnderAMovingSlopedSurface) {
     const double dt = 0.01;
     SurfaceField surface(8, 0.0);
     const SurfaceField rate(8, sink);
-    NodeVectors velocity(8, 9, Vector::Zero());
-    NodeVectors shift(8, 9, Vector::Zero());
+    NodeVectors velocity(8, 9);
+    NodeVectors shift(8, 9);
     for (int k = 0; k < 20; ++k) {
         for (int i = 0; i < 8; ++i)
             for (int j = 0; j <= 8; ++j)

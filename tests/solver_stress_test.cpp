@@ -18,7 +18,7 @@ struct Bench {
           step(scene, grid, materials, checkerboard, {}),
           surface(size_t(grid.node_columns()), 0.0),
           surface_rate(surface),
-          velocity(grid.node_columns(), grid.rows() + 1, Vector::Zero()),
+          velocity(grid.node_columns(), grid.rows() + 1),
           stress(grid.cell_columns(), grid.rows(), 4) {}
 
     HeatMotion motion() const { return {surface, surface_rate, velocity, no_rate}; }

@@ -7,13 +7,23 @@
 
 namespace crawford {
 
+/// The zero of a type of values. Eigen's matrices have one by name; Value{} would leave them
+/// uninitialised.
+template <class Value>
+Value zero() {
+    if constexpr (requires { Value::Zero(); })
+        return Value::Zero();
+    else
+        return Value{};
+}
+
 /// columns x rows values, a column contiguous: column i counts along x, row j upward from the
 /// bottom.
 template <class Value>
 class Lattice {
 public:
     Lattice() = default;
-    Lattice(int columns, int rows, Value initial = {})
+    Lattice(int columns, int rows, const Value& initial = zero<Value>())
         : columns_(columns), rows_(rows), values_(size_t(columns) * size_t(rows), initial) {}
 
     Value& operator()(int i, int j) { return values_[index(i, j)]; }

@@ -14,7 +14,7 @@ using StencilRow = std::array<std::array<double, 3>, 3>;
 class NodeStencil {
 public:
     explicit NodeStencil(const Grid& grid)
-        : grid_(grid), rows_(grid.node_columns(), grid.rows() + 1, StencilRow{}) {}
+        : grid_(grid), rows_(grid.node_columns(), grid.rows() + 1) {}
 
     void clear() { std::ranges::fill(rows_.values(), StencilRow{}); }
 

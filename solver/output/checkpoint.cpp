@@ -56,14 +56,14 @@ void write(Hdf5File& file, const std::string& name, const Lattice<Value>& field,
 }
 
 template <class Value>
-Lattice<Value> read(const Hdf5File& file, const std::string& name, Value initial = {}) {
+Lattice<Value> read(const Hdf5File& file, const std::string& name) {
     const std::string path = "/state/" + name;
     if (!file.contains(path)) return {};
     const Shape shape = file.shape(path);
     if (shape.size() != 3 || shape[2] != components<Value>)
         throw InputError(path + " has a shape that no checkpoint has");
     const std::vector<double> numbers = file.read<double>(path);
-    Lattice<Value> field(static_cast<int>(shape[0]), static_cast<int>(shape[1]), initial);
+    Lattice<Value> field(static_cast<int>(shape[0]), static_cast<int>(shape[1]));
     for (size_t k = 0; k < field.values().size(); ++k)
         take(&numbers[k * components<Value>], field.values()[k]);
     return field;
@@ -101,12 +101,12 @@ State read_state(const Hdf5File& file) {
     state.time = read_one<double>(file, "/state/time");
     state.surface = file.read<double>("/state/surface");
     state.temperature = read<double>(file, "temperature");
-    state.velocity = read<Vector>(file, "velocity", Vector::Zero());
+    state.velocity = read<Vector>(file, "velocity");
     for (int point = 0; file.contains("/state/" + deviator_name(point)); ++point)
         state.stress.deviator.push_back(read<Deviator>(file, deviator_name(point)));
     state.stress.pressure = read<double>(file, "pressure");
     state.temperature_rate = read<double>(file, "temperature_rate");
-    state.reference_shift = read<Vector>(file, "reference_shift", Vector::Zero());
+    state.reference_shift = read<Vector>(file, "reference_shift");
     return state;
 }
 

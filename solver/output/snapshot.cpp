@@ -7,7 +7,7 @@ namespace crawford {
 namespace {
 
 NodeVectors positions(const Grid& grid, const SurfaceField& surface) {
-    NodeVectors position(grid.cell_columns() + 1, grid.rows() + 1, Vector::Zero());
+    NodeVectors position(grid.cell_columns() + 1, grid.rows() + 1);
     for (int i = 0; i < position.columns(); ++i)
         for (int j = 0; j < position.rows(); ++j)
             position(i, j) = {grid.x(i), grid.eta(j) + surface[size_t(i) % surface.size()]};
