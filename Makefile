@@ -57,7 +57,7 @@ test: build
 	@ctest --preset release --parallel $(JOBS)
 
 verify: build
-	@build/crawford verify --out $(OUT)
+	@build/crawford verify --out $(OUT)/verify
 
 figures: build
 	build/crawford run $(FIGURES) --fidelity $(FIDELITY) --out $(OUT)

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
+#include <vector>
+
 #include "solver/errors.hpp"
 
 namespace crawford {
@@ -52,6 +55,20 @@ TEST(Units, SaysNothingOnStandardError) {
     EXPECT_THROW(read_quantity("2 (Pa", "Pa"), InputError);
     EXPECT_THROW(read_quantity("2 K", "Pa"), InputError);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Units, CanBeReadFromSeveralThreads) {
+    // Grids of a study run side by side and each reads its scene: without a lock the scanner aborts
+    // the program.
+    std::vector<std::future<double>> sums;
+    for (int thread = 0; thread < 4; ++thread) {
+        sums.push_back(std::async(std::launch::async, [] {
+            double sum = 0.0;
+            for (int k = 0; k < 2000; ++k) sum += read_quantity("2 cal/(s cm2)", "W/m2");
+            return sum;
+        }));
+    }
+    for (auto& sum : sums) EXPECT_NEAR(sum.get(), 2000 * 2 * 41840.0, 1e-3);
 }
 
 }  // namespace crawford

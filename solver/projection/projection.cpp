@@ -25,11 +25,11 @@ double default_viscous_time(const Scene& scene) {
 }  // namespace
 
 Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                       const Checkerboard& checkerboard, const BodyForce& body_force)
+                       const Checkerboard& checkerboard, BodyForce body_force)
     : grid_(grid),
       materials_(materials),
       checkerboard_(checkerboard),
-      body_force_(body_force),
+      body_force_(std::move(body_force)),
       element_(scene.numerics.element),
       load_(scene.surface),
       solver_kind_(scene.numerics.solver),
@@ -138,8 +138,12 @@ void Projection::add_stress(Balance& forces, const StressField& stress, const No
         }
 }
 
-/// + integral of w sigma_bc . n over the surface: -p_c n ds, n ds = (-phi_x, 1) dx,
-/// or (0, -p_c) dx.
+/// + integral of w sigma_bc . n over the surface: -p_c n ds, n ds = (-phi_x, 1) dx, or (0, -p_c)
+/// dx.
+///
+/// The bottom of the window slopes like the surface. It is held upward only on rollers, so the same
+/// pressure must meet it sideways, or what is pressed all around would be pushed along its slope;
+/// the paper's traction leaves this out.
 void Projection::add_traction(Balance& forces, const SurfaceField& surface) const {
     const int top = grid_.rows();
     for (int i = 0; i < grid_.cell_columns(); ++i) {
@@ -148,6 +152,7 @@ void Projection::add_traction(Balance& forces, const SurfaceField& surface) cons
         for (const int node : {i, grid_.right_node(i)}) {
             forces.add(matrix_.unknown({node, top}, 0), half * tilt);
             forces.add(matrix_.unknown({node, top}, 1), -half);
+            forces.add(matrix_.unknown({node, 0}, 0), -half * tilt);
         }
     }
 }
