@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
+#include <future>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <thread>
 #include <utility>
 
 #include "cases/program/choose.hpp"
@@ -56,6 +59,23 @@ Results run_study(const reports::Study& study, const std::vector<int>& grids, Na
     });
 }
 
+/// Studies run side by side, one for each core, and each its grids; results come in the catalogue's
+/// order.
+std::vector<Results> run_all(const std::vector<reports::Study>& studies,
+                             const std::vector<int>& grids, Narrator& narrator) {
+    std::vector<Results> results(studies.size());
+    std::atomic<size_t> next = 0;
+    const auto work = [&] {
+        for (size_t k = next++; k < studies.size(); k = next++)
+            results[k] = run_study(studies[k], grids, narrator);
+    };
+    std::vector<std::future<void>> workers;
+    for (unsigned core = 0; core < std::max(std::thread::hardware_concurrency(), 1U); ++core)
+        workers.push_back(std::async(std::launch::async, work));
+    for (auto& worker : workers) worker.get();
+    return results;
+}
+
 }  // namespace
 
 int verify(const VerifyOptions& options, const CommandLine& command) {
@@ -63,19 +83,18 @@ int verify(const VerifyOptions& options, const CommandLine& command) {
     const auto chosen = choose_studies(options.studies);
     prepare_directory(options.out);
 
-    Narrator narrator(options.quiet);
-    std::vector<std::pair<std::string, Results>> studies;
-    Results all;
+    std::vector<reports::Study> studies;
     for (const Entry* entry : chosen)
-        for (const reports::Study& study : entry->studies()) {
-            studies.emplace_back(study.name(), run_study(study, options.grids, narrator));
-            const Results& results = studies.back().second;
-            all.insert(all.end(), results.begin(), results.end());
-        }
+        for (const reports::Study& study : entry->studies()) studies.push_back(study);
+    Narrator narrator(options.quiet);
+    const std::vector<Results> results = run_all(studies, options.grids, narrator);
+
+    Results all;
+    for (const Results& part : results) all.insert(all.end(), part.begin(), part.end());
     reports::write_json(options.out / "verify.json", all, provenance(command));
     std::cout << reports::table(all) << std::flush;
     // Last, so that no result is lost where gnuplot is missing.
-    for (const auto& [study, results] : studies) draw(study, results, options.out);
+    for (size_t k = 0; k < studies.size(); ++k) draw(studies[k].name(), results[k], options.out);
     return reports::all_passed(all) ? exit_code::done : exit_code::gate_fell_short;
 }
 
