@@ -1,14 +1,16 @@
 /// How fast the surface burns and what heat enters through it   (paper eq. 8, 11).
 #pragma once
 
+#include <utility>
+
 #include "solver/morphology/material_map.hpp"
 
 namespace crawford {
 
 class BurningLaw {
 public:
-    BurningLaw(Regression regression, const Surface& surface)
-        : regression_(regression), surface_(surface) {}
+    BurningLaw(Regression regression, Surface surface)
+        : regression_(regression), surface_(std::move(surface)) {}
 
     /// r_b [m/s] of a surface made of `fraction` of the first material, at a temperature [K].
     double burn_rate(const MaterialMap& materials, double fraction, double temperature) const;

@@ -27,12 +27,11 @@ void check(const NodeField& temperature) {
 }  // namespace
 
 HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                   const BurningLaw& law,
-                   const std::function<double(double, double, double)>& source)
+                   const BurningLaw& law, std::function<double(double, double, double)> source)
     : grid_(grid),
       materials_(materials),
       law_(law),
-      source_(source),
+      source_(std::move(source)),
       numerics_(scene.numerics),
       deforms_(scene.physics.mechanics),
       transport_(grid),

@@ -25,7 +25,7 @@ struct HeatMotion {
 class HeatStep {
 public:
     HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-             const BurningLaw& law, const std::function<double(double, double, double)>& source);
+             const BurningLaw& law, std::function<double(double, double, double)> source);
 
     /// Advances T [K] from `time` by dt; the bottom row is held.
     /// \returns the sweeps of the line relaxation.

@@ -4,9 +4,9 @@
 
 namespace crawford {
 
-FixedPattern::FixedPattern(const Grid& grid, const std::vector<bool>& held,
+FixedPattern::FixedPattern(const Grid& grid, std::vector<bool> held,
                            const std::vector<Patch>& patches)
-    : grid_(grid), held_(held), matrix_(unknowns(), unknowns()) {
+    : grid_(grid), held_(std::move(held)), matrix_(unknowns(), unknowns()) {
     for (int i = 0; i < grid.cell_columns(); ++i)
         for (int j = 0; j < grid.rows(); ++j) append(corners(grid, i, j));
     for (const Patch& patch : patches) append(patch_nodes(grid, patch));

@@ -14,8 +14,7 @@ class FixedPattern {
 public:
     /// \param held unknowns whose value is zero: their row and column become those of the identity.
     /// \param patches that may be added besides the cells.
-    FixedPattern(const Grid& grid, const std::vector<bool>& held,
-                 const std::vector<Patch>& patches);
+    FixedPattern(const Grid& grid, std::vector<bool> held, const std::vector<Patch>& patches);
 
     /// Unknown `component` (0 is u, 1 is v) of a node.
     int unknown(const Node& node, int component) const {

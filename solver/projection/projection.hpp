@@ -23,7 +23,7 @@ using BodyForce = std::function<Vector(double, double, double)>;
 class Projection {
 public:
     Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-               const Checkerboard& checkerboard, const BodyForce& body_force);
+               const Checkerboard& checkerboard, BodyForce body_force);
 
     /// Finds the velocity [m/s] at the end of a step of length dt that ends at `time`.
     /// \param stress sigma*, everything of the step but C:D(v); its pressure leaves without

@@ -10,12 +10,12 @@ namespace crawford {
 
 StressStep::StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
                        const Checkerboard& checkerboard,
-                       const std::function<PlaneStress(double, double, double)>& source)
+                       std::function<PlaneStress(double, double, double)> source)
     : grid_(grid),
       materials_(materials),
       checkerboard_(checkerboard),
       neighbours_(grid, materials),
-      source_(source),
+      source_(std::move(source)),
       element_(scene.numerics.element),
       thermal_stress_(scene.numerics.thermal_stress) {}
 

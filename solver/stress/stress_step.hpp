@@ -16,7 +16,7 @@ class StressStep {
 public:
     StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
                const Checkerboard& checkerboard,
-               const std::function<PlaneStress(double, double, double)>& source);
+               std::function<PlaneStress(double, double, double)> source);
 
     /// sigma*: advection, rotation, thermal stress and source over dt (paper eq. 39), from `time`.
     /// \param temperature_rate DT/Dt [K/s] of each cell; empty without heat
