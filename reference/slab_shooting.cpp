@@ -64,6 +64,9 @@ odeint::bulirsch_stoer<State> make_stepper() {
     return {absolute, relative};
 }
 
+/// How far below the surface of a half space the integration starts, in lengths of the cold tail.
+constexpr double cold_foldings = 30.0;
+
 /// One integration from the bottom to the surface.
 class Shot {
 public:
@@ -71,11 +74,9 @@ public:
         : conditions_(conditions),
           equations_(conditions, burn_rate),
           growth_(equations_.cold_growth()),
-          flux_(flux) {
-        constexpr double foldings = 30.0;
-        deep_ = std::isinf(conditions.depth);
-        bottom_ = deep_ ? -foldings / growth_ : -conditions.depth;
-    }
+          flux_(flux),
+          deep_(std::isinf(conditions.depth)),
+          bottom_(deep_ ? -cold_foldings / growth_ : -conditions.depth) {}
 
     /// Where the integration starts [m].
     double bottom() const { return bottom_; }
@@ -129,8 +130,8 @@ private:
     Equations equations_;
     double growth_;
     double flux_;
-    double bottom_ = 0.0;
-    bool deep_ = true;
+    bool deep_;  ///< a half space
+    double bottom_;
 };
 
 double entering_flux(const SlabConditions& conditions, double burn_rate) {

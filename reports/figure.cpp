@@ -70,7 +70,7 @@ fs::path source_path(const fs::path& relative) {
     return fs::path(CRAWFORD_SOURCE_DIR) / relative;
 }
 
-Figure::Figure(std::string name, fs::path out, fs::path script)
+Figure::Figure(const std::string& name, const fs::path& out, const fs::path& script)
     : name_(checked(name)),
       directory_(fs::absolute(out / "figures")),
       script_(source_path(script)) {}

@@ -57,7 +57,8 @@ public:
     /// program is run.
     /// \throws std::invalid_argument if the name is not letters, digits and '_' only, as for every
     /// name below.
-    Figure(std::string name, std::filesystem::path out, std::filesystem::path script);
+    Figure(const std::string& name, const std::filesystem::path& out,
+           const std::filesystem::path& script);
 
     /// Numbers as CSV beside the figure, <figure>_<table>.csv.
     /// \throws std::invalid_argument if columns differ in length

@@ -32,7 +32,7 @@ GridRun run_one(const Measure& measure, int grid) {
 std::vector<GridRun> run_grids(const Study& study, std::vector<int> grids,
                                const OnProgress& on_progress) {
     std::ranges::sort(grids);
-    grids.erase(std::ranges::unique(grids).begin(), grids.end());
+    grids.erase(std::unique(grids.begin(), grids.end()), grids.end());
 
     std::vector<GridRun> runs(grids.size());
     std::atomic<std::size_t> next = 0;

@@ -69,7 +69,7 @@ SlabProfile profile(const Simulation& simulation) {
 Slab::Slab(std::string material, Grid grid) : material_(std::move(material)), grid_(grid) {}
 
 Slab slab(const std::string& material, Slab::Grid grid) {
-    return Slab(material, grid);
+    return {material, grid};
 }
 
 Slab& Slab::regressing(double burn_rate) {

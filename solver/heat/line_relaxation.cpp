@@ -24,7 +24,7 @@ public:
         value_[0] = x(i, 0);
         for (int j = 1; j < rows; ++j) {
             const auto& c = a.row(i, j)[1];
-            const size_t k = size_t(j);
+            const auto k = size_t(j);
             const double pivot = c[1] - c[0] * upper_[k - 1];
             const double rhs = b(i, j) - a.column_sum(x, i, j, -1) - a.column_sum(x, i, j, 1);
             upper_[k] = c[2] / pivot;

@@ -60,12 +60,12 @@ void MaterialMap::fill_discs(const Discs& discs, const SurfaceField& surface) {
     const double width = grid_.width();
     const double left = grid_.x(0);
     for (const Disc& disc : discs.discs) {
-        const double first_y = std::ceil((bottom - disc.radius - disc.y) / discs.period);
-        const double last_y = std::floor((high + disc.radius - disc.y) / discs.period);
-        const double first_x = std::ceil((left - disc.radius - disc.x) / width);
-        const double last_x = std::floor((left + width + disc.radius - disc.x) / width);
-        for (double m = first_x; m <= last_x; ++m)
-            for (double n = first_y; n <= last_y; ++n)
+        const int first_y = int(std::ceil((bottom - disc.radius - disc.y) / discs.period));
+        const int last_y = int(std::floor((high + disc.radius - disc.y) / discs.period));
+        const int first_x = int(std::ceil((left - disc.radius - disc.x) / width));
+        const int last_x = int(std::floor((left + width + disc.radius - disc.x) / width));
+        for (int m = first_x; m <= last_x; ++m)
+            for (int n = first_y; n <= last_y; ++n)
                 add_disc({disc.x + m * width, disc.y + n * discs.period}, disc.radius, surface);
     }
 }

@@ -39,7 +39,7 @@ private:
     double& entry(const std::string& room) {
         for (RoomTime& known : rooms_)
             if (known.room == room) return known.seconds;
-        return rooms_.emplace_back(room, 0.0).seconds;
+        return rooms_.emplace_back(RoomTime{room, 0.0}).seconds;
     }
 
     std::vector<RoomTime> rooms_;

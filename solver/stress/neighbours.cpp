@@ -26,7 +26,7 @@ Neighbourhood<Value> StressNeighbours::gather(int i, int j, const Find& find,
     result.open[2] = true;
     for (const int direction : {-1, 1})
         for (int distance = 1; distance <= 2; ++distance) {
-            const size_t k = size_t(2 + direction * distance);
+            const auto k = size_t(2 + direction * distance);
             const Place at = find(i, j, direction * distance);
             result.open[k] = result.open[size_t(int(k) - direction)] && at.exists &&
                              materials_.same_material(i, j, at.i, at.j);
