@@ -53,16 +53,19 @@ reports::Measurement measure(int columns) {
     Simulation simulation(scene(columns));
     double jump = 0.0;
     double strain = 0.0;
+    double largest = 0.0;
     double shear = 0.0;
     while (simulation.state().time < simulation.scene().time.end) {
         simulation.step();
         const double now = largest_strain(simulation);
         jump = std::max(jump, std::abs(now - strain));
         strain = now;
+        largest = std::max(largest, now);
         shear = std::max(shear, largest_binder_shear(simulation));
     }
     return reports::Measurement(1.0 / columns)
         .value("peak strain, largest change in a step", jump)
+        .value("peak strain", largest)
         .value("shear stress in binder [MPa]", shear / MPa);
 }
 
@@ -70,8 +73,10 @@ std::vector<reports::Study> studies() {
     reports::Study study("pack-burning");
     study.grids({120})
         .measure(measure)
-        .bound("peak strain, largest change in a step", 120, at_most(0.1),
-               "a cell that flips as a whole makes it jump by 0.5")
+        .bound("peak strain, largest change in a step", 120, at_most(0.05),
+               "0.07 where cut cells take the arithmetic mean of the shear moduli, 0.01 here")
+        .bound("peak strain", 120, at_most(1.0),
+               "the arithmetic mean has 4.6 after 10 ms: AP's stress left in binder")
         .bound("shear stress in binder [MPa]", 120, at_most(10.0),
                "2 mu times a strain of 1, doubled; AP beside it holds 100");
     return {study};
