@@ -39,7 +39,8 @@ double mean_rate(Simulation& simulation, int stretch, double& largest_residual) 
         sum += now.mean_burn_rate;
         largest_residual = std::max(largest_residual, now.residual);
     }
-    return sum / (stretch / look_every);
+    const int looks = stretch / look_every;
+    return sum / looks;
 }
 
 reports::Measurement measure(int columns) {

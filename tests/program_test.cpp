@@ -37,7 +37,7 @@ protected:
                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
         fs::remove_all(out_);
     }
-    ~Program() override { fs::remove_all(out_); }
+    void TearDown() override { fs::remove_all(out_); }
 
     std::string out() const { return out_.string(); }
 

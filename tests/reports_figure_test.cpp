@@ -28,7 +28,7 @@ std::string contents(const fs::path& file) {
 class Figures : public testing::Test {
 protected:
     Figures() : out_(fs::path(testing::TempDir()) / unique()) { fs::create_directories(out_); }
-    ~Figures() override { fs::remove_all(out_); }
+    void TearDown() override { fs::remove_all(out_); }
 
     static std::string unique() {
         return std::string("crawford it's `false` ") +
