@@ -30,7 +30,7 @@ constexpr int nodes_about_the_corner = 3;
 constexpr int rows_below_the_surface = 24;
 
 Scene scene(int columns) {
-    Scene result = sandwich({"time.end=0.05 s", "time.step=40 us"});
+    Scene result = sandwich({"time.end=0.05 s", "time.step=80 us"});
     result.domain.nx = columns;
     return result;
 }

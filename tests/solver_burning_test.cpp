@@ -16,7 +16,12 @@ TEST(BurnRate, IsTheArrheniusLawOfEachMaterial) {
     EXPECT_NEAR(law.burn_rate(map, 1.0, 950.0), 1450.0 * std::exp(-11000.0 / 950.0), 1e-15);
     EXPECT_NEAR(law.burn_rate(map, 0.0, 950.0), 10.36 * std::exp(-7500.0 / 950.0), 1e-15);
     const double rate = 10.36 * std::exp(-7500.0 / 950.0);
-    EXPECT_NEAR(law.heat_flux(map, 0.0, 950.0), 6.6944e6 - 418400.0 * 920.0 * rate, 1e-6);
+    EXPECT_NEAR(law.heat_flux(map, 0.0, 950.0).value, 6.6944e6 - 418400.0 * 920.0 * rate, 1e-6);
+    const double step = 1e-3;
+    const double slope = (law.heat_flux(map, 0.3, 950.0 + step).value -
+                          law.heat_flux(map, 0.3, 950.0 - step).value) /
+                         (2.0 * step);
+    EXPECT_NEAR(law.heat_flux(map, 0.3, 950.0).slope, slope, 1e-6 * std::abs(slope));
 }
 
 TEST(BurnRate, AveragesOverTheTrueLengthOfTheSurface) {

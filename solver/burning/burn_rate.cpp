@@ -17,19 +17,29 @@ double BurningLaw::material_rate(const Material& material, double temperature) c
     return 0.0;
 }
 
+/// d r_b/dT [m/(s K)]
+double BurningLaw::material_rate_slope(const Material& material, double temperature) const {
+    if (regression_ != Regression::pyrolysis) return 0.0;
+    return material_rate(material, temperature) * material.activation_temperature /
+           (temperature * temperature);
+}
+
 double BurningLaw::burn_rate(const MaterialMap& materials, double fraction,
                              double temperature) const {
     return fraction * material_rate(materials.first(), temperature) +
            (1.0 - fraction) * material_rate(materials.second(), temperature);
 }
 
-double BurningLaw::heat_flux(const MaterialMap& materials, double fraction,
-                             double temperature) const {
-    const auto flux = [&](const Material& m, double gas) {
-        return gas + m.heat_of_reaction * m.density * material_rate(m, temperature);
+LinearFlux BurningLaw::heat_flux(const MaterialMap& materials, double fraction,
+                                 double temperature) const {
+    const auto absorbed = [&](const auto& rate) {
+        const auto of = [&](const Material& m) { return m.heat_of_reaction * m.density * rate(m); };
+        return fraction * of(materials.first()) + (1.0 - fraction) * of(materials.second());
     };
-    return fraction * flux(materials.first(), surface_.heat_flux.front()) +
-           (1.0 - fraction) * flux(materials.second(), surface_.heat_flux.back());
+    const double gas =
+        fraction * surface_.heat_flux.front() + (1.0 - fraction) * surface_.heat_flux.back();
+    return {gas + absorbed([&](const Material& m) { return material_rate(m, temperature); }),
+            absorbed([&](const Material& m) { return material_rate_slope(m, temperature); })};
 }
 
 SurfaceField BurningLaw::burn_rate(const Grid& grid, const MaterialMap& materials,

@@ -144,14 +144,20 @@ void HeatStep::add_stress_work(int i, int j, const std::array<Node, 4>& nodes, d
         load_(node.i, node.j) += share * (lagged - beta * temperature(node.i, node.j) * divergence);
 }
 
+/// The flux that pyrolysis absorbs grows steeply with temperature: taken at the old one (as paper
+/// sec. 2) it overshoots at steps beyond some 0.1 ms and burns on at a wrong rate, so its slope
+/// goes to the left side (as a wall that cools).
 void HeatStep::add_surface_flux(const NodeField& temperature, const SurfaceField& surface) {
     const int top = grid_.rows();
     for (int i = 0; i < grid_.cell_columns(); ++i) {
         const double half_length = 0.5 * grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
         const double fraction = materials_.fraction()(i, top - 1);
-        for (const int node : {i, grid_.right_node(i)})
-            load_(node, top) +=
-                half_length * law_.heat_flux(materials_, fraction, temperature(node, top));
+        for (const int node : {i, grid_.right_node(i)}) {
+            const double now = temperature(node, top);
+            const LinearFlux flux = law_.heat_flux(materials_, fraction, now);
+            load_(node, top) += half_length * (flux.value - flux.slope * now);
+            transport_.row(node, top)[1][1] -= half_length * flux.slope;
+        }
     }
 }
 

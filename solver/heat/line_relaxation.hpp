@@ -10,7 +10,7 @@ namespace crawford {
 /// the first guess. Columns are swept there and back until no value changes by more than
 /// `tolerance`.
 /// \returns the number of sweeps.
-/// \throws NumericalFailure naming the column of the largest change, if 200 sweeps do not suffice.
+/// \throws NumericalFailure naming the column of the largest change, if 2000 sweeps do not suffice.
 int relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x, double tolerance);
 
 }  // namespace crawford
