@@ -160,7 +160,7 @@ TEST(QuadCsv, SeparatesScanLinesAndRepeatsCellsAtTheRim) {
     EXPECT_THROW(csv(corners), std::invalid_argument);
 }
 
-TEST(Program, GetsItsArgumentsAsTheyAre) {
+TEST(RunProgram, PassesArgumentsAsTheyAre) {
     const auto echoed = run_program({"printf", "%s", "$HOME `id` ; 'x'"});
     EXPECT_EQ(echoed.status, 0);
     EXPECT_EQ(echoed.output, "$HOME `id` ; 'x'");

@@ -43,7 +43,7 @@ std::string refusal_of(const std::function<void()>& action) {
     try {
         action();
     } catch (const InputError& error) {
-        const std::string message = error.what();
+        std::string message = error.what();
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
         return message;
     }
@@ -224,7 +224,7 @@ TEST(Scene, ReadsDiscsFromATable) {
     const Scene scene =
         parse_scene(sandwich, table.path().parent_path(),
                     {"morphology={kind='discs', file='" + table.path().filename().string() + "'}"});
-    const Discs& shape = std::get<Discs>(scene.morphology.shape);
+    const auto& shape = std::get<Discs>(scene.morphology.shape);
     ASSERT_EQ(shape.discs.size(), 2u);
     EXPECT_DOUBLE_EQ(shape.discs[0].radius, 40e-6);
     EXPECT_DOUBLE_EQ(shape.discs[1].x, 150e-6);
@@ -255,7 +255,7 @@ TEST(Scene, ShippedScenesAreSound) {
     EXPECT_EQ(slab.morphology.materials.at(0).heat_of_reaction, 0.0);
     EXPECT_DOUBLE_EQ(slab.surface.burn_rate, 4.5e-3);
     const Scene pack = scene_of_file("pack.toml");
-    const Discs& shape = std::get<Discs>(pack.morphology.shape);
+    const auto& shape = std::get<Discs>(pack.morphology.shape);
     ASSERT_EQ(shape.discs.size(), 40u);
     double area = 0.0;
     for (const Disc& disc : shape.discs) area += 3.14159265358979 * disc.radius * disc.radius;

@@ -12,7 +12,7 @@ namespace {
 class EachElement : public ::testing::TestWithParam<Element> {};
 
 TEST_P(EachElement, CompressesASlabExactly) {
-    for (Material material : {ammonium_perchlorate(), htpb_binder()}) {
+    for (const Material& material : {ammonium_perchlorate(), htpb_binder()}) {
         Scene scene = testing::mechanical_only(testing::slab(material, 12));
         scene.numerics.element = GetParam();
         Simulation simulation(scene);

@@ -10,8 +10,8 @@ namespace {
 
 /// A solid at rest under a level surface, for calls of one room alone.
 struct Bench {
-    explicit Bench(const Scene& s)
-        : scene(s),
+    explicit Bench(Scene s)
+        : scene(std::move(s)),
           grid(scene.domain),
           materials(scene.morphology, grid),
           checkerboard(grid, materials, scene.numerics.element),
