@@ -5,11 +5,11 @@
 /// reference/elastic_sandwich.hpp solves it by finite elements of degree 8 on a mesh graded towards
 /// the corner: no code, no element and no mesh in common.
 ///
-/// The binder is nearly incompressible (K/mu = 4268): an element that locks shows it here. The fully
-/// integrated q1 misses the deflection at the centre of the binder by 2.4 %, ten times as much as
-/// B-bar. Where interface and surface meet the stress is singular, r^-0.405, and every method on a
-/// uniform grid converges slowly near it, so what is gated are displacements, and the pressure away
-/// from it, on 128 x 256 cells.
+/// The binder is nearly incompressible (K/mu = 4268): an element that locks shows it here. The
+/// fully integrated q1 misses the deflection at the centre of the binder by 2.4 %, ten times as
+/// much as B-bar. Where interface and surface meet the stress is singular, r^-0.405, and every
+/// method on a uniform grid converges slowly near it, so what is gated are displacements, and the
+/// pressure away from it, on 128 x 256 cells.
 
 #include <algorithm>
 #include <cmath>
