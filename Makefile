@@ -8,7 +8,7 @@ JOBS ?= $(shell nproc)
 PACKAGES := build-essential cmake ninja-build \
   libeigen3-dev libsuitesparse-dev libopenblas-dev libboost-dev libhdf5-dev \
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libudunits2-dev \
-  libgtest-dev libbenchmark-dev gnuplot-nox
+  libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox
 TOOLS := clang-format clang-tidy
 
 SOURCES = $(shell git ls-files --cached --others --exclude-standard -- '*.cpp' '*.hpp')
