@@ -12,17 +12,19 @@
 /// corner, within which no bilinear element resolves the singularity. Peak strain grows with each
 /// refinement; its mean over 5 um of binder about the peak must not.
 
-#include "cases/catalogue/alternation.hpp"
 #include "cases/catalogue/registry.hpp"
 #include "cases/catalogue/sandwich.hpp"
 #include "cases/catalogue/sandwich_measures.hpp"
 #include "cases/catalogue/units.hpp"
+#include "reports/alternation.hpp"
 
 namespace crawford {
 
 namespace {
 
 using namespace units;
+using reports::alternation;
+using reports::alternation_of_half;
 using reports::at_most;
 using reports::between;
 

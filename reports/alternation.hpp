@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace crawford {
+namespace crawford::reports {
 
 /// Rms of the fourth difference, over 16, relative to the rms of the values: 1 for a pure zigzag, 0
 /// for a cubic.
@@ -14,4 +14,4 @@ double alternation(const std::vector<double>& values);
 /// for what changes sign there.
 double alternation_of_half(const std::vector<double>& half, double sign);
 
-}  // namespace crawford
+}  // namespace crawford::reports

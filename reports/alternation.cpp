@@ -1,9 +1,9 @@
-#include "cases/catalogue/alternation.hpp"
+#include "reports/alternation.hpp"
 
 #include <cmath>
 #include <stdexcept>
 
-namespace crawford {
+namespace crawford::reports {
 
 double alternation(const std::vector<double>& values) {
     if (values.size() < 5) throw std::invalid_argument("alternation: needs five values");
@@ -26,4 +26,4 @@ double alternation_of_half(const std::vector<double>& half, double sign) {
     return alternation(whole);
 }
 
-}  // namespace crawford
+}  // namespace crawford::reports
