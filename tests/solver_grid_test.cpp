@@ -39,6 +39,19 @@ TEST(Grid, WrapsAroundOrEndsAtAPlaneOfSymmetry) {
     EXPECT_NEAR(whole.x(4), 0.0, 1e-20);
 }
 
+TEST(Grid, KnowsTheColumnsBeyondItsSides) {
+    const Grid whole({.nx = 8, .ny = 4});
+    EXPECT_EQ(whole.node_column(-1).index, 7);
+    EXPECT_EQ(whole.node_column(9).index, 1);
+    EXPECT_FALSE(whole.node_column(-1).mirrored);
+    const Grid half({.nx = 8, .ny = 4, .half = true});
+    EXPECT_EQ(half.node_column(-2).index, 2);
+    EXPECT_TRUE(half.node_column(-2).mirrored);
+    EXPECT_EQ(half.node_column(5).index, 3);
+    EXPECT_TRUE(half.node_column(5).mirrored);
+    EXPECT_FALSE(half.node_column(4).mirrored);
+}
+
 TEST(Cell, GradientOfALinearFieldIsExactOnASlope) {
     const Grid grid({.width = 1.0, .depth = 1.0, .nx = 8, .ny = 4, .clustering = 1.5});
     const SurfaceField surface = testing::wave(grid);

@@ -12,24 +12,15 @@ namespace {
 // Slopes are of order one: a change of slope of 1e-3 between neighbours is smooth.
 constexpr double smooth_slope_squared = 1e-6;
 
-/// The height of node column i, also beyond the sides.
-double height_beyond(const Grid& grid, const SurfaceField& surface, int i) {
-    const int n = grid.cell_columns();
-    if (grid.sides() == Sides::periodic) return surface[size_t(((i % n) + n) % n)];
-    const int folded = ((i % (2 * n)) + 2 * n) % (2 * n);
-    return surface[size_t(folded <= n ? folded : 2 * n - folded)];
-}
-
 struct Slopes {
     double left, right;  // one-sided: from the left and from the right
 };
 
 Slopes one_sided_slopes(const Grid& grid, const SurfaceField& surface, int i) {
+    const auto height = [&](int column) { return surface[size_t(grid.node_column(column).index)]; };
     std::array<double, 4> slope;  // of the segments i-2 .. i+1
     for (int k = 0; k < 4; ++k)
-        slope[size_t(k)] =
-            (height_beyond(grid, surface, i + k - 1) - height_beyond(grid, surface, i + k - 2)) /
-            grid.dx();
+        slope[size_t(k)] = (height(i + k - 1) - height(i + k - 2)) / grid.dx();
     return {weno3({slope[0], slope[1], slope[2]}, smooth_slope_squared),
             weno3({slope[3], slope[2], slope[1]}, smooth_slope_squared)};
 }

@@ -21,4 +21,11 @@ Grid::Grid(const Domain& domain)
     }
 }
 
+NodeColumn Grid::node_column(int i) const {
+    const int period = sides_ == Sides::periodic ? cell_columns_ : 2 * cell_columns_;
+    const int within = ((i % period) + period) % period;
+    if (within < node_columns()) return {within, false};
+    return {period - within, true};
+}
+
 }  // namespace crawford

@@ -18,6 +18,12 @@ enum class Sides {
     mirror     ///< both sides are planes of symmetry; there are nx + 1 node columns
 };
 
+/// A node column seen from beyond the sides.
+struct NodeColumn {
+    int index;
+    bool mirrored;  ///< what is odd in x changes its sign
+};
+
 class Grid {
 public:
     explicit Grid(const Domain& domain);
@@ -44,6 +50,9 @@ public:
     int right_node(int i) const {
         return sides_ == Sides::periodic && i + 1 == cell_columns_ ? 0 : i + 1;
     }
+
+    /// The column that stands for column i, which may lie beyond the sides.
+    NodeColumn node_column(int i) const;
 
     /// Slope of the straight surface over cell column i, from the heights at the node columns.
     double slope(const SurfaceField& surface, int i) const {

@@ -8,24 +8,12 @@ namespace crawford {
 
 namespace {
 
-/// Reads a nodal vector beyond the sides of the window.
-class Shift {
-public:
-    Shift(const Grid& grid, const NodeVectors& values) : grid_(grid), values_(values) {}
-
-    Vector operator()(int i, int j) const {
-        const int n = grid_.cell_columns();
-        if (grid_.sides() == Sides::periodic) return values_(((i % n) + n) % n, j);
-        const int folded = ((i % (2 * n)) + 2 * n) % (2 * n);
-        if (folded <= n) return values_(folded, j);
-        const Vector& image = values_(2 * n - folded, j);
-        return {-image.x(), image.y()};
-    }
-
-private:
-    const Grid& grid_;
-    const NodeVectors& values_;
-};
+/// A nodal vector, also beyond the sides of the window.
+Vector beyond(const Grid& grid, const NodeVectors& values, int i, int j) {
+    const NodeColumn column = grid.node_column(i);
+    const Vector& value = values(column.index, j);
+    return {column.mirrored ? -value.x() : value.x(), value.y()};
+}
 
 Vector eno2(const Vector& far, const Vector& near, const Vector& ahead) {
     return {crawford::eno2({far.x(), near.x(), ahead.x()}),
@@ -61,7 +49,6 @@ double node_slope(const Grid& grid, const SurfaceField& surface, int i) {
 void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt,
                            NodeVectors& shift) {
     NodeVectors next = shift;
-    const Shift value(grid, shift);
     for (int i = 0; i < grid.node_columns(); ++i) {
         const double slope = node_slope(grid, motion.surface, i);
         for (int j = 1; j <= grid.rows(); ++j) {
@@ -72,7 +59,8 @@ void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt
             rate -=
                 upward * upwind([&](int k) { return in_column(grid, shift, i, j + k); }, upward);
             if (grid.cell_columns() > 1)
-                rate -= across * upwind([&](int k) { return value(i + k, j); }, across);
+                rate -=
+                    across * upwind([&](int k) { return beyond(grid, shift, i + k, j); }, across);
             next(i, j) += dt * rate;
         }
     }
