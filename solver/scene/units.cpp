@@ -57,10 +57,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// udunits2 scans with state of its own that two threads must not share.
 Unit parse_unit(std::string_view text) {
-    static std::mutex scanner;
-    const std::scoped_lock lock(scanner);
     const std::string one_over = text.starts_with('/') ? "1" : "";
     return own(ut_parse(unit_system(), (one_over + std::string(text)).c_str(), UT_ASCII));
 }
@@ -95,6 +92,9 @@ double read_quantity(std::string_view quantity, std::string_view unit) {
         throw InputError(
             fmt::format("has no unit; expected {} or a unit that converts to it", unit));
     }
+    // udunits2 scans and converts with state of its own, which two threads must not share.
+    static std::mutex library;
+    const std::scoped_lock lock(library);
     const Unit given = parse_unit(given_text);
     if (!given) {
         throw InputError(fmt::format(
