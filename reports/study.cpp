@@ -12,6 +12,11 @@ Study& Study::measure(Measure measure) {
     return *this;
 }
 
+Study& Study::covers(std::vector<std::string> terms) {
+    covered_ = std::move(terms);
+    return *this;
+}
+
 Study& Study::gate(std::string quantity, Norm norm, Expectation expected, std::string reason) {
     rows_.emplace_back(ErrorGate{{std::move(quantity), norm, expected, std::move(reason)}});
     return *this;

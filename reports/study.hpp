@@ -44,6 +44,9 @@ public:
 
     Study& grids(std::vector<int> cells);
     Study& measure(Measure measure);
+    /// The terms of the equations in which this study would see a fault: its columns of the
+    /// coverage matrix.
+    Study& covers(std::vector<std::string> terms);
 
     /// The error of `quantity` must fall at the expected order.
     Study& gate(std::string quantity, Norm norm, Expectation expected, std::string reason);
@@ -60,12 +63,14 @@ public:
 
     const std::string& name() const { return name_; }
     const std::vector<int>& grids() const { return grids_; }
+    const std::vector<std::string>& covered() const { return covered_; }
     const std::vector<Row>& rows() const { return rows_; }
     const Measure& measure() const { return measure_; }
 
 private:
     std::string name_;
     std::vector<int> grids_;
+    std::vector<std::string> covered_;
     Measure measure_;
     std::vector<Row> rows_;
 };
