@@ -27,11 +27,12 @@ void check(const NodeField& temperature) {
 }  // namespace
 
 HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                   const BurningLaw& law, std::function<double(double, double, double)> source)
+                   const BurningLaw& law, const Sources& sources)
     : grid_(grid),
       materials_(materials),
       law_(law),
-      source_(std::move(source)),
+      source_(sources.heat),
+      flux_source_(sources.heat_flux),
       numerics_(scene.numerics),
       deforms_(scene.physics.mechanics),
       transport_(grid),
@@ -42,6 +43,7 @@ int HeatStep::advance(NodeField& temperature, const HeatMotion& motion, double t
     assemble(temperature, motion);
     add_surface_flux(temperature, motion.surface);
     if (source_) add_source(motion.surface, time + 0.5 * dt);
+    if (flux_source_) add_flux_source(motion.surface, time + 0.5 * dt);
 
     // (M/dt + L/2) T' = (M/dt - L/2) T + load   (paper eq. 34)
     NodeField& rhs = load_;
@@ -172,6 +174,17 @@ void HeatStep::add_source(const SurfaceField& surface, double time) {
                 load_(node.i, node.j) += 0.25 * cell.area() * source_(x, y, time);
             }
         }
+}
+
+void HeatStep::add_flux_source(const SurfaceField& surface, double time) {
+    for (int i = 0; i < grid_.cell_columns(); ++i) {
+        const double half_length = 0.5 * grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
+        for (const int side : {0, 1}) {
+            const int node = side == 0 ? i : grid_.right_node(i);
+            load_(node, grid_.rows()) +=
+                half_length * flux_source_(grid_.x(i + side), surface[size_t(node)], time);
+        }
+    }
 }
 
 void material_rate(const Grid& grid, const NodeField& before, const NodeField& after,

@@ -25,7 +25,7 @@ struct HeatMotion {
 class HeatStep {
 public:
     HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-             const BurningLaw& law, std::function<double(double, double, double)> source);
+             const BurningLaw& law, const Sources& sources = {});
 
     /// Advances T [K] from `time` by dt; the bottom row is held.
     /// \returns the sweeps of the line relaxation.
@@ -40,6 +40,7 @@ private:
                          const NodeField& temperature, const HeatMotion& motion);
     void add_surface_flux(const NodeField& temperature, const SurfaceField& surface);
     void add_source(const SurfaceField& surface, double time);
+    void add_flux_source(const SurfaceField& surface, double time);
     double capacity(int i, int j, double temperature) const;
     double adiabatic_capacity(int i, int j, double temperature) const;
     void check_coupling(int i, int j, double heat_capacity, double temperature) const;
@@ -47,7 +48,8 @@ private:
     const Grid& grid_;
     const MaterialMap& materials_;
     const BurningLaw& law_;
-    std::function<double(double, double, double)> source_;
+    Sources::Function<double> source_;
+    Sources::Function<double> flux_source_;
     Numerics numerics_;
     bool deforms_;
     NodeStencil transport_;  ///< diffusion and convection, [W/K] per unit thickness

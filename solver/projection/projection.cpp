@@ -1,5 +1,7 @@
 #include "solver/projection/projection.hpp"
 
+#include <cmath>
+
 #include "solver/projection/support.hpp"
 
 namespace crawford {
@@ -25,11 +27,12 @@ double default_viscous_time(const Scene& scene) {
 }  // namespace
 
 Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                       const Checkerboard& checkerboard, BodyForce body_force)
+                       const Checkerboard& checkerboard, const Sources& sources)
     : grid_(grid),
       materials_(materials),
       checkerboard_(checkerboard),
-      body_force_(std::move(body_force)),
+      body_force_(sources.body_force),
+      traction_(sources.traction),
       element_(scene.numerics.element),
       load_(scene.surface),
       solver_kind_(scene.numerics.solver),
@@ -108,6 +111,7 @@ Projection::Balance Projection::balance(const StressField& stress, const NodeVec
     add_stress(forces, stress, velocity, surface);
     add_traction(forces, surface);
     if (body_force_) add_body_force(forces, surface, time);
+    if (traction_) add_traction_source(forces, surface, time);
     for (int k = 0; k < matrix_.unknowns(); ++k)
         if (matrix_.held(k)) forces.sum[k] = forces.magnitude[k] = 0.0;
     return forces;
@@ -170,6 +174,20 @@ void Projection::add_body_force(Balance& forces, const SurfaceField& surface, do
                 for (int c = 0; c < 2; ++c) forces.add(matrix_.unknown(node, c), force[c]);
             }
         }
+}
+
+void Projection::add_traction_source(Balance& forces, const SurfaceField& surface,
+                                     double time) const {
+    const int top = grid_.rows();
+    for (int i = 0; i < grid_.cell_columns(); ++i) {
+        const double half_length = 0.5 * grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
+        for (const int side : {0, 1}) {
+            const int node = side == 0 ? i : grid_.right_node(i);
+            const Vector force =
+                half_length * traction_(grid_.x(i + side), surface[size_t(node)], time);
+            for (int c = 0; c < 2; ++c) forces.add(matrix_.unknown({node, top}, c), force[c]);
+        }
+    }
 }
 
 }  // namespace crawford

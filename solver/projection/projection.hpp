@@ -17,13 +17,10 @@
 
 namespace crawford {
 
-/// Force in [N/m^3].
-using BodyForce = std::function<Vector(double, double, double)>;
-
 class Projection {
 public:
     Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-               const Checkerboard& checkerboard, BodyForce body_force);
+               const Checkerboard& checkerboard, const Sources& sources = {});
 
     /// Finds the velocity [m/s] at the end of a step of length dt that ends at `time`.
     /// \param stress sigma*, everything of the step but C:D(v); its pressure leaves without
@@ -66,11 +63,13 @@ private:
                     const SurfaceField& surface) const;
     void add_traction(Balance& forces, const SurfaceField& surface) const;
     void add_body_force(Balance& forces, const SurfaceField& surface, double time) const;
+    void add_traction_source(Balance& forces, const SurfaceField& surface, double time) const;
 
     const Grid& grid_;
     const MaterialMap& materials_;
     const Checkerboard& checkerboard_;
-    BodyForce body_force_;
+    Sources::Function<Vector> body_force_;
+    Sources::Function<Vector> traction_;
     Element element_;
     Surface load_;
     LinearSolver solver_kind_;

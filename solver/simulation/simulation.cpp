@@ -77,11 +77,10 @@ struct Simulation::Rooms {
           checkerboard(grid, materials, scene.numerics.element),
           state(cold_and_at_rest(scene, grid)) {
         if (scene.physics.heat)
-            heat = std::make_unique<HeatStep>(scene, grid, materials, law, sources.heat);
+            heat = std::make_unique<HeatStep>(scene, grid, materials, law, sources);
         if (!scene.physics.mechanics) return;
-        stress = std::make_unique<StressStep>(scene, grid, materials, checkerboard, sources.stress);
-        projection =
-            std::make_unique<Projection>(scene, grid, materials, checkerboard, sources.body_force);
+        stress = std::make_unique<StressStep>(scene, grid, materials, checkerboard, sources);
+        projection = std::make_unique<Projection>(scene, grid, materials, checkerboard, sources);
     }
 
     SurfaceField surface_rate_of(const State& s) const {

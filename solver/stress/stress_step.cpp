@@ -9,13 +9,12 @@
 namespace crawford {
 
 StressStep::StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                       const Checkerboard& checkerboard,
-                       std::function<PlaneStress(double, double, double)> source)
+                       const Checkerboard& checkerboard, const Sources& sources)
     : grid_(grid),
       materials_(materials),
       checkerboard_(checkerboard),
       neighbours_(grid, materials),
-      source_(std::move(source)),
+      source_(sources.stress),
       element_(scene.numerics.element),
       thermal_stress_(scene.numerics.thermal_stress) {}
 

@@ -15,8 +15,7 @@ namespace crawford {
 class StressStep {
 public:
     StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-               const Checkerboard& checkerboard,
-               std::function<PlaneStress(double, double, double)> source);
+               const Checkerboard& checkerboard, const Sources& sources = {});
 
     /// sigma*: advection, rotation, thermal stress and source over dt (paper eq. 39), from `time`.
     /// \param temperature_rate DT/Dt [K/s] of each cell; empty without heat
@@ -44,7 +43,7 @@ private:
     const MaterialMap& materials_;
     const Checkerboard& checkerboard_;
     StressNeighbours neighbours_;
-    std::function<PlaneStress(double, double, double)> source_;
+    Sources::Function<PlaneStress> source_;
     Element element_;
     ThermalStress thermal_stress_;
 };
