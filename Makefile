@@ -30,11 +30,12 @@ define install
 	fi
 endef
 
-.PHONY: help deps tools build test verify figures bench format check-format tidy clean
+.PHONY: help deps tools build test verify mutants figures bench format check-format tidy clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short)'
 	@echo 'make test     build, then run all tests'
+	@echo 'make mutants  put seeded faults into a copy, one by one, and ask who sees them (hours; FAULTS=names)'
 	@echo 'make build    build/crawford'
 	@echo 'make figures  the figures of the paper, into $(OUT)/ (FIDELITY=draft|paper|fine, now $(FIDELITY))'
 	@echo 'make bench    how fast the parts are'
@@ -58,6 +59,11 @@ test: build
 
 verify: build
 	@build/crawford verify --out $(OUT)/verify
+
+mutants: deps
+	@cmake --preset release >/dev/null
+	@cmake --build --preset release --target mutants --parallel $(JOBS)
+	@build/tests/mutants/mutants $(FAULTS)
 
 figures: build
 	build/crawford run $(FIGURES) --fidelity $(FIDELITY) --out $(OUT)
