@@ -126,6 +126,21 @@ TEST_F(OutputCheckpoint, GivesBackEveryBit) {
     EXPECT_EQ(window[1].value, 1.0 / 3.0);
 }
 
+TEST_F(OutputCheckpoint, KeepsTheStateBefore) {
+    State state = awkward_state();
+    State before = awkward_state();
+    before.step = 7;
+    before.surface = {1.0, 2.0, 3.0};
+    state.previous = std::make_shared<const State>(before);
+    save_checkpoint(file(), {state, {}}, provenance);
+    const State back = load_checkpoint(file(), scene).state;
+    ASSERT_TRUE(back.previous);
+    EXPECT_EQ(back.previous->step, 7);
+    EXPECT_EQ(back.previous->surface, before.surface);
+    EXPECT_EQ(bits_of(back.previous->velocity), bits_of(before.velocity));
+    EXPECT_EQ(bits_of(back.temperature), bits_of(state.temperature));
+}
+
 TEST_F(OutputCheckpoint, KeepsEmptyFieldsEmpty) {
     State state;
     state.surface = {0.0};

@@ -28,6 +28,32 @@ TEST(Simulation, GoesOnFromAStateBitForBit) {
     expect_identical(unbroken.state(), restarted.state());
 }
 
+TEST(Simulation, GoesOnBitForBitWhereTheStepLooksBack) {
+    Scene scene = testing::sandwich(16, 24);
+    scene.time.scheme = Stepping::bdf2;
+    Simulation unbroken(scene);
+    for (int k = 0; k < 5; ++k) unbroken.step();
+    ASSERT_TRUE(unbroken.state().previous);
+    EXPECT_EQ(unbroken.state().previous->step, 4);
+    EXPECT_FALSE(unbroken.state().previous->previous) << "no chain of states";
+    Simulation restarted(scene);
+    restarted.restore(unbroken.state());
+    for (int k = 0; k < 5; ++k) {
+        unbroken.step();
+        restarted.step();
+    }
+    expect_identical(unbroken.state(), restarted.state());
+}
+
+TEST(Simulation, WithOneStepRefusesAStateThatLooksBack) {
+    Scene scene = testing::sandwich(16, 24);
+    Simulation one_step(scene);
+    scene.time.scheme = Stepping::bdf2;
+    Simulation two_step(scene);
+    two_step.step();
+    EXPECT_THROW(one_step.restore(two_step.state()), InputError);
+}
+
 TEST(Simulation, RefusesAStateOfAnotherScene) {
     Simulation coarse(testing::sandwich(16, 24));
     Simulation fine(testing::sandwich(32, 24));

@@ -39,23 +39,25 @@ HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& mate
       mass_(grid.node_columns(), grid.rows() + 1),
       load_(grid.node_columns(), grid.rows() + 1) {}
 
-int HeatStep::advance(NodeField& temperature, const HeatMotion& motion, double time, double dt) {
-    assemble(temperature, motion);
-    add_surface_flux(temperature, motion.surface);
-    if (source_) add_source(motion.surface, time + 0.5 * dt);
-    if (flux_source_) add_flux_source(motion.surface, time + 0.5 * dt);
+int HeatStep::advance(NodeField& temperature, const NodeField& lagged, const HeatMotion& motion,
+                      const TimeStep& step) {
+    assemble(lagged, motion);
+    add_surface_flux(lagged, motion.surface);
+    if (source_) add_source(motion.surface, step.heat_time());
+    if (flux_source_) add_flux_source(motion.surface, step.heat_time());
 
-    // (M/dt + L/2) T' = (M/dt - L/2) T + load   (paper eq. 34)
+    // (M/dt + theta L) T' = (M/dt - (1 - theta) L) T + load   (paper eq. 34, theta = 1/2)
+    const double theta = step.implicit_heat;
     NodeField& rhs = load_;
     for (int i = 0; i < temperature.columns(); ++i)
         for (int j = 1; j < temperature.rows(); ++j)
-            rhs(i, j) +=
-                mass_(i, j) / dt * temperature(i, j) - 0.5 * transport_.apply(temperature, i, j);
+            rhs(i, j) += mass_(i, j) / step.span * temperature(i, j) -
+                         (1.0 - theta) * transport_.apply(temperature, i, j);
     for (int i = 0; i < temperature.columns(); ++i)
         for (int j = 0; j < temperature.rows(); ++j) {
             for (auto& column : transport_.row(i, j))
-                for (double& c : column) c *= 0.5;
-            transport_.row(i, j)[1][1] += mass_(i, j) / dt;
+                for (double& c : column) c *= theta;
+            transport_.row(i, j)[1][1] += mass_(i, j) / step.span;
         }
     const double hottest = *std::ranges::max_element(temperature.values());
     const int sweeps =

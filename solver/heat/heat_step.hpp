@@ -1,15 +1,16 @@
 /// Heat in the burning solid (paper eq. 7, 11, 34, 35):
 /// rho c_p DT/Dt = div(kappa grad T) - beta T div v + q.
 ///
-/// Crank-Nicolson in time. In space bilinear elements with vertex quadrature on the
-/// surface-following cells: second order, the flux through the surface is the natural boundary
-/// condition, and the metric cross terms of a sloped surface come with the gradient. On a flat grid
-/// it is the five-point stencil.
+/// Crank-Nicolson in time, or implicit where the time step says so. In space bilinear elements with
+/// vertex quadrature on the surface-following cells: second order, the flux through the surface is
+/// the natural boundary condition, and the metric cross terms of a sloped surface come with the
+/// gradient. On a flat grid it is the five-point stencil.
 #pragma once
 
 #include "solver/burning/burn_rate.hpp"
 #include "solver/fields/node_stencil.hpp"
 #include "solver/simulation/sources.hpp"
+#include "solver/simulation/time_step.hpp"
 
 namespace crawford {
 
@@ -27,11 +28,18 @@ public:
     HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
              const BurningLaw& law, const Sources& sources = {});
 
-    /// Advances T [K] from `time` by dt; the bottom row is held.
+    /// Advances T [K] over the span of a step; the bottom row is held.
+    /// \param lagged the temperature where the coefficients of the step are taken
     /// \returns the sweeps of the line relaxation.
     /// \throws NumericalFailure naming the cell where lagged coupling is beyond its limit, the
     /// column if the relaxation does not converge, or the node where T is not above 0 K.
-    int advance(NodeField& temperature, const HeatMotion& motion, double time, double dt);
+    int advance(NodeField& temperature, const NodeField& lagged, const HeatMotion& motion,
+                const TimeStep& step);
+
+    /// The paper's step from `time` over dt.
+    int advance(NodeField& temperature, const HeatMotion& motion, double time, double dt) {
+        return advance(temperature, temperature, motion, euler_step(time, dt));
+    }
 
 private:
     void assemble(const NodeField& temperature, const HeatMotion& motion);

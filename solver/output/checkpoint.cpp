@@ -46,18 +46,17 @@ void take(const double* numbers, Deviator& s) {
 }
 
 template <class Value>
-void write(Hdf5File& file, const std::string& name, const Lattice<Value>& field,
+void write(Hdf5File& file, const std::string& path, const Lattice<Value>& field,
            const std::string& units) {
     if (field.empty()) return;
     std::vector<double> numbers;
     for (const Value& value : field.values()) append(numbers, value);
-    file.write("/state/" + name, Numbers(numbers),
+    file.write(path, Numbers(numbers),
                {hsize_t(field.columns()), hsize_t(field.rows()), components<Value>}, units);
 }
 
 template <class Value>
-Lattice<Value> read(const Hdf5File& file, const std::string& name) {
-    const std::string path = "/state/" + name;
+Lattice<Value> read(const Hdf5File& file, const std::string& path) {
     if (!file.contains(path)) return {};
     const Shape shape = file.shape(path);
     if (shape.size() != 3 || shape[2] != components<Value>)
@@ -76,37 +75,45 @@ Number read_one(const Hdf5File& file, const std::string& path) {
     return numbers.front();
 }
 
-std::string deviator_name(int point) {
-    return fmt::format("deviator_{}", point);
+std::string deviator_path(const std::string& group, int point) {
+    return fmt::format("{}/deviator_{}", group, point);
 }
 
-void write_state(Hdf5File& file, const State& state) {
+void write_state(Hdf5File& file, const std::string& group, const State& state) {
     const std::int64_t step = state.step;
-    file.create_group("/state");
-    file.write("/state/step", std::span(&step, 1), {}, "1");
-    file.write("/state/time", Numbers(&state.time, 1), {}, "s");
-    file.write("/state/surface", Numbers(state.surface), {state.surface.size()}, "m");
-    write(file, "temperature", state.temperature, "K");
-    write(file, "velocity", state.velocity, "m/s");
+    file.create_group(group);
+    file.write(group + "/step", std::span(&step, 1), {}, "1");
+    file.write(group + "/time", Numbers(&state.time, 1), {}, "s");
+    file.write(group + "/surface", Numbers(state.surface), {state.surface.size()}, "m");
+    write(file, group + "/temperature", state.temperature, "K");
+    write(file, group + "/velocity", state.velocity, "m/s");
     for (int point = 0; point < state.stress.points(); ++point)
-        write(file, deviator_name(point), state.stress.deviator[size_t(point)], "Pa");
-    write(file, "pressure", state.stress.pressure, "Pa");
-    write(file, "temperature_rate", state.temperature_rate, "K/s");
-    write(file, "reference_shift", state.reference_shift, "m");
+        write(file, deviator_path(group, point), state.stress.deviator[size_t(point)], "Pa");
+    write(file, group + "/pressure", state.stress.pressure, "Pa");
+    write(file, group + "/temperature_rate", state.temperature_rate, "K/s");
+    write(file, group + "/reference_shift", state.reference_shift, "m");
 }
 
-State read_state(const Hdf5File& file) {
+State read_state(const Hdf5File& file, const std::string& group) {
     State state;
-    state.step = read_one<std::int64_t>(file, "/state/step");
-    state.time = read_one<double>(file, "/state/time");
-    state.surface = file.read<double>("/state/surface");
-    state.temperature = read<double>(file, "temperature");
-    state.velocity = read<Vector>(file, "velocity");
-    for (int point = 0; file.contains("/state/" + deviator_name(point)); ++point)
-        state.stress.deviator.push_back(read<Deviator>(file, deviator_name(point)));
-    state.stress.pressure = read<double>(file, "pressure");
-    state.temperature_rate = read<double>(file, "temperature_rate");
-    state.reference_shift = read<Vector>(file, "reference_shift");
+    state.step = read_one<std::int64_t>(file, group + "/step");
+    state.time = read_one<double>(file, group + "/time");
+    state.surface = file.read<double>(group + "/surface");
+    state.temperature = read<double>(file, group + "/temperature");
+    state.velocity = read<Vector>(file, group + "/velocity");
+    for (int point = 0; file.contains(deviator_path(group, point)); ++point)
+        state.stress.deviator.push_back(read<Deviator>(file, deviator_path(group, point)));
+    state.stress.pressure = read<double>(file, group + "/pressure");
+    state.temperature_rate = read<double>(file, group + "/temperature_rate");
+    state.reference_shift = read<Vector>(file, group + "/reference_shift");
+    return state;
+}
+
+/// With the state before it, where the scheme looks back that far.
+State read_states(const Hdf5File& file) {
+    State state = read_state(file, "/state");
+    if (file.contains("/previous"))
+        state.previous = std::make_shared<const State>(read_state(file, "/previous"));
     return state;
 }
 
@@ -142,7 +149,8 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
     file.set_attribute("/crawford", "scene", provenance.scene);
     file.set_attribute("/crawford", "version", provenance.version);
     file.set_attribute("/crawford", "revision", provenance.revision);
-    write_state(file, checkpoint.state);
+    write_state(file, "/state", checkpoint.state);
+    if (checkpoint.state.previous) write_state(file, "/previous", *checkpoint.state.previous);
     write_window(file, checkpoint.window);
     file.publish();
 }
@@ -161,7 +169,7 @@ Checkpoint load_checkpoint(const std::filesystem::path& path, const std::string&
             fmt::format("{} is a checkpoint of another scene: {}; restart with the "
                         "scene it was written for",
                         path.string(), *key));
-    return {read_state(file), read_window(file)};
+    return {read_states(file), read_window(file)};
 }
 
 }  // namespace crawford

@@ -47,7 +47,7 @@ double node_slope(const Grid& grid, const SurfaceField& surface, int i) {
 }  // namespace
 
 void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt,
-                           NodeVectors& shift) {
+                           const NodeVectors& carried, NodeVectors& shift) {
     NodeVectors next = shift;
     for (int i = 0; i < grid.node_columns(); ++i) {
         const double slope = node_slope(grid, motion.surface, i);
@@ -57,10 +57,10 @@ void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt
             const double upward = (relative.y() - slope * relative.x()) / grid.metric(j);
             Vector rate = -motion.velocity(i, j);
             rate -=
-                upward * upwind([&](int k) { return in_column(grid, shift, i, j + k); }, upward);
+                upward * upwind([&](int k) { return in_column(grid, carried, i, j + k); }, upward);
             if (grid.cell_columns() > 1)
                 rate -=
-                    across * upwind([&](int k) { return beyond(grid, shift, i + k, j); }, across);
+                    across * upwind([&](int k) { return beyond(grid, carried, i + k, j); }, across);
             next(i, j) += dt * rate;
         }
     }

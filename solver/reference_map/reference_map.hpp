@@ -9,9 +9,16 @@
 
 namespace crawford {
 
-/// Advances the shift [m] by dt with second-order ENO differences; the bottom row is held.
+/// Advances the shift [m] over dt with second-order ENO differences of `carried`; the bottom row is
+/// held.
 void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt,
-                           NodeVectors& shift);
+                           const NodeVectors& carried, NodeVectors& shift);
+
+/// Forward Euler: what is carried is the shift itself.
+inline void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt,
+                                  NodeVectors& shift) {
+    advance_reference_map(grid, motion, dt, shift, shift);
+}
 
 /// Deformation gradient F of each cell, at its centre.
 Lattice<Eigen::Matrix2d> deformation_gradient(const Grid& grid, const SurfaceField& surface,

@@ -80,11 +80,17 @@ struct Bottom {
     Support support = Support::roller;
 };
 
+enum class Stepping {
+    euler,  ///< the paper's: Crank-Nicolson for heat, forward Euler for the rest; first order
+    bdf2    ///< two steps back, what is explicit extrapolated to the new time; second order
+};
+
 struct Time {
     double step = 20e-6;  ///< dt [s]
     double end = 0.1;     ///< [s]; the latest end where until_steady is given
     /// Stop when the mean burn rate changes less than this, relative, per ms.
     std::optional<double> until_steady = std::nullopt;
+    Stepping scheme = Stepping::euler;
 };
 
 enum class Element {

@@ -70,9 +70,12 @@ void visit(Table& table, Bottom& b) {
 
 template <class Table>
 void visit(Table& table, Time& t) {
+    static constexpr std::array schemes{Word<Stepping>{"euler", Stepping::euler},
+                                        Word<Stepping>{"bdf2", Stepping::bdf2}};
     table.quantity("step", t.step, duration, Need::required);
     table.quantity("end", t.end, duration, Need::required);
     table.number("until_steady", t.until_steady, {"", 1e-15, 1.0});
+    table.choice("scheme", t.scheme, schemes);
 }
 
 template <class Table>

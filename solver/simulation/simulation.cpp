@@ -52,6 +52,16 @@ void check_finite(const StressField& stress) {
         }
 }
 
+bool same_shape(const State& a, const State& b) {
+    return a.surface.size() == b.surface.size() &&
+           a.temperature.values().size() == b.temperature.values().size() &&
+           a.velocity.values().size() == b.velocity.values().size() &&
+           a.stress.points() == b.stress.points() &&
+           a.stress.pressure.values().size() == b.stress.pressure.values().size() &&
+           a.temperature_rate.values().size() == b.temperature_rate.values().size() &&
+           a.reference_shift.values().size() == b.reference_shift.values().size();
+}
+
 }  // namespace
 
 struct Simulation::Rooms {
@@ -67,6 +77,7 @@ struct Simulation::Rooms {
     State state;
     Stopwatch stopwatch;
     int solver_iterations = 0;
+    CellField shear_modulus_before;  ///< of the last step, where the morphology moves
 
     Rooms(Scene s, Sources given)
         : scene(std::move(s)),
@@ -83,43 +94,60 @@ struct Simulation::Rooms {
         projection = std::make_unique<Projection>(scene, grid, materials, checkerboard, sources);
     }
 
-    SurfaceField surface_rate_of(const State& s) const {
+    /// phi_t of a surface whose nodes have this temperature and velocity.
+    SurfaceField surface_rate_of(const SurfaceField& surface, const NodeField& temperature,
+                                 const NodeVectors& velocity) const {
         const bool carried = scene.numerics.surface_motion == SurfaceMotion::burning_with_material;
-        std::vector<Vector> velocity;
-        if (carried && !s.velocity.empty())
+        std::vector<Vector> of_material;
+        if (carried && !velocity.empty())
             for (int i = 0; i < grid.node_columns(); ++i)
-                velocity.push_back(s.velocity(i, grid.rows()));
-        return surface_rate(grid, s.surface, law.burn_rate(grid, materials, s.temperature),
-                            velocity);
+                of_material.push_back(velocity(i, grid.rows()));
+        return surface_rate(grid, surface, law.burn_rate(grid, materials, temperature),
+                            of_material);
     }
 
-    /// One step from `before`; `next` enters as a copy of it.
-    void advance(const State& before, State& next) {
+    /// The state one step after `now`.
+    State advanced(const State& now) {
         const double dt = scene.time.step;
-        const SurfaceField rate = surface_rate_of(before);
-        if (heat) move_heat(before, next, rate, dt);
-        move_surface(next, dt);
-        if (stress) move_solid(before, next, dt);
-        next.step = before.step + 1;
-        next.time = scene.time.step * double(next.step);
+        State next;
+        if (now.previous) {
+            next = combination(4.0 / 3.0, now, -1.0 / 3.0, *now.previous);
+            advance(next, combination(2.0, now, -1.0, *now.previous), bdf2_step(now.time, dt));
+        } else {
+            next = now;
+            advance(next, now, euler_step(now.time, dt));
+        }
+        next.step = now.step + 1;
+        next.time = dt * double(next.step);
+        return next;
     }
 
-    void move_heat(const State& before, State& next, const SurfaceField& rate, double dt) {
-        const HeatMotion motion{before.surface, rate, before.velocity, before.temperature_rate};
+    /// One step. `next` enters as the base of the step; `now` is the explicit state.
+    void advance(State& next, const State& now, const TimeStep& step) {
+        if (heat) move_heat(next, now, step);
+        const SurfaceField base = next.surface;
+        move_surface(next, now, step);
+        if (stress) move_solid(next, now, base, step);
+    }
+
+    void move_heat(State& next, const State& now, const TimeStep& step) {
+        const SurfaceField rate = surface_rate_of(now.surface, now.temperature, now.velocity);
+        const HeatMotion motion{now.surface, rate, now.velocity, now.temperature_rate};
         stopwatch.measure("heat", [&] {
-            heat->advance(next.temperature, motion, before.time, dt);
+            const NodeField base = next.temperature;
+            heat->advance(next.temperature, now.temperature, motion, step);
             if (!next.temperature_rate.empty())
-                material_rate(grid, before.temperature, next.temperature, motion, dt,
+                material_rate(grid, base, next.temperature, motion, step.span,
                               next.temperature_rate);
         });
     }
 
     /// phi' = phi + dt phi_t, with the burn rate of the new temperature (paper sec. 3.5).
-    void move_surface(State& next, double dt) {
+    void move_surface(State& next, const State& now, const TimeStep& step) {
         stopwatch.measure("burning", [&] {
-            const SurfaceField rate = surface_rate_of(next);
+            const SurfaceField rate = surface_rate_of(now.surface, next.temperature, now.velocity);
             for (size_t i = 0; i < rate.size(); ++i) {
-                next.surface[i] += dt * rate[i];
+                next.surface[i] += step.span * rate[i];
                 if (!std::isfinite(next.surface[i]))
                     throw NumericalFailure(
                         fmt::format("burning: the surface is not a number at node column {}", i));
@@ -127,30 +155,30 @@ struct Simulation::Rooms {
         });
     }
 
-    void move_solid(const State& before, State& next, double dt) {
-        SurfaceField rate(before.surface.size());
-        for (size_t i = 0; i < rate.size(); ++i)
-            rate[i] = (next.surface[i] - before.surface[i]) / dt;
-        const HeatMotion old_motion{before.surface, rate, before.velocity, before.temperature_rate};
+    void move_solid(State& next, const State& now, const SurfaceField& base, const TimeStep& step) {
+        SurfaceField rate(base.size());
+        for (size_t i = 0; i < rate.size(); ++i) rate[i] = (next.surface[i] - base[i]) / step.span;
+        const HeatMotion old_motion{now.surface, rate, now.velocity, now.temperature_rate};
 
         stopwatch.measure("stress", [&] {
-            stress->predict(next.stress, old_motion, next.temperature_rate, before.time, dt);
+            stress->predict(next.stress, now.stress, old_motion, next.temperature_rate, step);
         });
         if (materials.moves()) stopwatch.measure("morphology", [&] { follow_material(next); });
         stopwatch.measure("projection", [&] {
             solver_iterations =
-                projection->solve(next.stress, next.surface, before.time + dt, dt, next.velocity);
+                projection->solve(next.stress, next.surface, step.end, step.span, next.velocity);
             check_finite(next.velocity, "projection", "velocity");
         });
         stopwatch.measure("stress", [&] {
-            stress->correct(next.stress, next.surface, next.velocity, dt);
+            stress->correct(next.stress, next.surface, next.velocity, step.span);
             check_finite(next.stress);
         });
         if (!next.reference_shift.empty())
             stopwatch.measure("reference map", [&] {
-                const HeatMotion new_motion{before.surface, rate, next.velocity,
+                const HeatMotion new_motion{now.surface, rate, next.velocity,
                                             next.temperature_rate};
-                advance_reference_map(grid, new_motion, dt, next.reference_shift);
+                advance_reference_map(grid, new_motion, step.span, now.reference_shift,
+                                      next.reference_shift);
                 check_finite(next.reference_shift, "reference map", "the map");
             });
     }
@@ -158,11 +186,24 @@ struct Simulation::Rooms {
     /// The grid has moved through the morphology: cells that became softer cannot hold what they
     /// held.
     void follow_material(State& next) {
-        CellField before(grid.cell_columns(), grid.rows());
-        for (int i = 0; i < grid.cell_columns(); ++i)
-            for (int j = 0; j < grid.rows(); ++j) before(i, j) = materials.shear_modulus(i, j);
+        shear_modulus_before = shear_modulus();
         materials.follow(next.surface);
-        stress->soften(next.stress, before);
+        stress->soften(next.stress, shear_modulus_before);
+    }
+
+    CellField shear_modulus() const {
+        CellField modulus(grid.cell_columns(), grid.rows());
+        for (int i = 0; i < grid.cell_columns(); ++i)
+            for (int j = 0; j < grid.rows(); ++j) modulus(i, j) = materials.shear_modulus(i, j);
+        return modulus;
+    }
+
+    /// Keeps `now` for the next step to look back at, as soft as the material has become since.
+    std::shared_ptr<const State> remembered(State now) const {
+        if (scene.time.scheme == Stepping::euler) return nullptr;
+        now.previous.reset();
+        if (stress && materials.moves()) stress->soften(now.stress, shear_modulus_before);
+        return std::make_shared<const State>(std::move(now));
     }
 };
 
@@ -172,9 +213,9 @@ Simulation::Simulation(Scene scene, Sources sources)
 Simulation::~Simulation() = default;
 
 void Simulation::step() {
-    State next = rooms_->state;
+    State next;
     try {
-        rooms_->advance(rooms_->state, next);
+        next = rooms_->advanced(rooms_->state);
     } catch (const NumericalFailure& failure) {
         rooms_->materials.follow(rooms_->state.surface);
         throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", rooms_->state.step + 1,
@@ -182,19 +223,14 @@ void Simulation::step() {
                                            failure.what()));
     }
     if (!rooms_->stress && rooms_->materials.moves()) rooms_->materials.follow(next.surface);
+    next.previous = rooms_->remembered(std::move(rooms_->state));
     rooms_->state = std::move(next);
 }
 
 void Simulation::restore(State state) {
-    const State& now = rooms_->state;
-    const bool fits =
-        state.surface.size() == now.surface.size() &&
-        state.temperature.values().size() == now.temperature.values().size() &&
-        state.velocity.values().size() == now.velocity.values().size() &&
-        state.stress.points() == now.stress.points() &&
-        state.stress.pressure.values().size() == now.stress.pressure.values().size() &&
-        state.temperature_rate.values().size() == now.temperature_rate.values().size() &&
-        state.reference_shift.values().size() == now.reference_shift.values().size();
+    const bool looks_back = rooms_->scene.time.scheme == Stepping::bdf2;
+    const bool fits = same_shape(state, rooms_->state) &&
+                      (!state.previous || (looks_back && same_shape(*state.previous, state)));
     if (!fits) throw InputError("checkpoint: its fields are not those of the scene");
     rooms_->materials.follow(state.surface);
     rooms_->state = std::move(state);

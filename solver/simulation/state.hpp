@@ -2,6 +2,8 @@
 /// A field the scene does not ask for is empty.
 #pragma once
 
+#include <memory>
+
 #include "solver/fields/lattice.hpp"
 #include "solver/stress/stress_field.hpp"
 
@@ -16,6 +18,12 @@ struct State {
     StressField stress;           ///< sigma [Pa]
     CellField temperature_rate;   ///< DT/Dt of the last step [K/s], where the stress work is split
     NodeVectors reference_shift;  ///< xi - (x, y) [m]; as a shift it is exact in a free stream
+    /// The state one step before, where time.scheme looks back that far; its own is always empty.
+    std::shared_ptr<const State> previous;
 };
+
+/// a x + b y, field by field; time, step and previous are those of x.
+/// Both must be states of the same scene.
+State combination(double a, const State& x, double b, const State& y);
 
 }  // namespace crawford

@@ -18,21 +18,22 @@ StressStep::StressStep(const Scene& scene, const Grid& grid, const MaterialMap& 
       element_(scene.numerics.element),
       thermal_stress_(scene.numerics.thermal_stress) {}
 
-void StressStep::predict(StressField& stress, const HeatMotion& motion,
-                         const CellField& temperature_rate, double time, double dt) const {
+void StressStep::predict(StressField& stress, const StressField& carried, const HeatMotion& motion,
+                         const CellField& temperature_rate, const TimeStep& step) const {
+    const double dt = step.span;
     StressField next = stress;
     for (int i = 0; i < grid_.cell_columns(); ++i)
         for (int j = 0; j < grid_.rows(); ++j) {
             for (int k = 0; k < stress.points(); ++k) {
                 Deviator& s = next.deviator[size_t(k)](i, j);
-                s = s + dt * deviator_rate(stress, k, i, j, motion, dt);
+                s = s + dt * deviator_rate(carried, k, i, j, motion, dt);
             }
             double& p = next.pressure(i, j);
-            p += dt * pressure_rate(stress, i, j, motion);
+            p += dt * pressure_rate(carried, i, j, motion);
             if (!temperature_rate.empty())
                 p += dt * materials_.thermal_stress(i, j, thermal_stress_) * temperature_rate(i, j);
         }
-    if (source_) add_source(next, motion.surface, time, dt);
+    if (source_) add_source(next, motion.surface, step.explicit_time, dt);
     stress = std::move(next);
 }
 

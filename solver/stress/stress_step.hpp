@@ -17,11 +17,20 @@ public:
     StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
                const Checkerboard& checkerboard, const Sources& sources = {});
 
-    /// sigma*: advection, rotation, thermal stress and source over dt (paper eq. 39), from `time`.
+    /// sigma*: advection, rotation, thermal stress and source over the span of a step (paper
+    /// eq. 39).
+    /// \param stress the base of the step, then sigma*
+    /// \param carried the stress that is carried and turned
     /// \param temperature_rate DT/Dt [K/s] of each cell; empty without heat
     /// \throws NumericalFailure naming the cell, if material crosses more than a cell in the step
+    void predict(StressField& stress, const StressField& carried, const HeatMotion& motion,
+                 const CellField& temperature_rate, const TimeStep& step) const;
+
+    /// The paper's step from `time` over dt.
     void predict(StressField& stress, const HeatMotion& motion, const CellField& temperature_rate,
-                 double time, double dt) const;
+                 double time, double dt) const {
+        predict(stress, stress, motion, temperature_rate, euler_step(time, dt));
+    }
 
     /// sigma = sigma* + dt C:D(v) on the grid below `surface` (paper eq. 44).
     void correct(StressField& stress, const SurfaceField& surface, const NodeVectors& velocity,
