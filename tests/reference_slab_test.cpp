@@ -8,6 +8,7 @@
 
 #include "reference/slab.hpp"
 #include "reference/slab_shooting.hpp"
+#include "reference/slab_small_strain.hpp"
 
 namespace crawford::reference {
 namespace {
@@ -189,6 +190,44 @@ TEST(Slab, KuznetsovStewartIsTheSmallStrainLimit) {
             EXPECT_NEAR(difference(n, model) / difference(2.0 * n, model), 2.0, 1.0 / n);
         }
     }
+}
+
+// The slope of that limit by perturbation, against divided differences of the closed forms,
+// extrapolated twice. 1/N = 1/512 leaves (theta D/N)^3 = 1e-10, and rounding of T_s 1e-13 N.
+TEST(Slab, SensitivityToSmallStrain) {
+    for (const Material& material : {ap(), binder()}) {
+        SlabConditions conditions = study(material, 100.0);
+        const double small_strain = [&] {
+            SlabConditions small = conditions;
+            small.model = SlabModel::kuznetsov_stewart;
+            return Slab(small).surface_temperature();
+        }();
+        const auto divided = [&](double n) {
+            SlabConditions stiff = conditions;
+            stiff.material.bulk_modulus *= n * n;
+            stiff.material.shear_modulus *= n * n;
+            stiff.material.thermal_expansion /= n;
+            const double theta = thermal_stress_modulus(stiff) / stiff.material.uniaxial_modulus();
+            return (Slab(stiff).surface_temperature() - small_strain) / theta;
+        };
+        const double coarse = divided(128.0);
+        const double middle = divided(256.0);
+        const double fine = divided(512.0);
+        const double limit = (8.0 * fine - 6.0 * middle + coarse) / 3.0;
+        EXPECT_LT(relative(small_strain_sensitivity(conditions), limit), 1e-7);
+    }
+}
+
+TEST(Slab, SensitivityRefusesWhatItWasNotDerivedFor) {
+    SlabConditions conditions = study(ap(), 200.0);
+    conditions.depth = 480e-6;
+    EXPECT_THROW(small_strain_sensitivity(conditions), std::invalid_argument);
+    conditions = study(ap(), 200.0);
+    conditions.regression = Regression::pyrolysis;
+    EXPECT_THROW(small_strain_sensitivity(conditions), std::invalid_argument);
+    conditions = study(ap(), 200.0);
+    conditions.heat_flux = missing;
+    EXPECT_THROW(small_strain_sensitivity(conditions), std::invalid_argument);
 }
 
 // Under the burning law rate and temperature follow from one another, and all heat that enters

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/material.hpp"
+#include "reference/slab.hpp"
 #include "solver/errors.hpp"
 #include "solver/grid/grid.hpp"
 #include "solver/simulation/simulation.hpp"
@@ -39,10 +40,11 @@ double change(const State& before, const State& after) {
         change(before.velocity, after.velocity, [](const Vector& v) { return std::abs(v.y()); }));
 }
 
-SlabProfile profile(const Simulation& simulation) {
+SlabProfile profile(const Simulation& simulation, const State& before) {
     const Grid& grid = simulation.grid();
     const State& state = simulation.state();
     SlabProfile p;
+    p.burn_rate = (before.surface.front() - state.surface.front()) / (state.time - before.time);
     for (int j = 0; j <= grid.rows(); ++j) {
         p.node_y.push_back(grid.eta(j));
         p.node_weight.push_back(
@@ -64,12 +66,30 @@ SlabProfile profile(const Simulation& simulation) {
     return p;
 }
 
+/// Either half's material: their properties have the same names.
+template <class Material>
+void stiffen(Material& material, double n) {
+    material.bulk_modulus *= n * n;
+    material.shear_modulus *= n * n;
+    material.thermal_expansion /= n;
+}
+
 }  // namespace
 
 Slab::Slab(std::string material, Grid grid) : material_(std::move(material)), grid_(grid) {}
 
 Slab slab(const std::string& material, Slab::Grid grid) {
     return {material, grid};
+}
+
+Slab& Slab::burning_by_law() {
+    by_law_ = true;
+    return *this;
+}
+
+Slab& Slab::stiffened(double n) {
+    stiffening_ = n;
+    return *this;
 }
 
 Slab& Slab::regressing(double burn_rate) {
@@ -99,7 +119,8 @@ Slab& Slab::rigid() {
 
 Scene Slab::scene() const {
     Material material = material_ == "AP" ? ammonium_perchlorate() : htpb_binder();
-    material.heat_of_reaction = 0.0;
+    if (!by_law_) material.heat_of_reaction = 0.0;
+    stiffen(material, stiffening_);
     const auto reading = alpha_k_ ? ThermalStress::alpha_bulk : ThermalStress::three_alpha_bulk;
 
     Scene scene;
@@ -110,24 +131,30 @@ Scene Slab::scene() const {
                     .ny = grid_.cells,
                     .clustering = grid_.clustering};
     scene.morphology.materials = {material};
-    scene.physics = {
-        .mechanics = !rigid_, .reference_map = !rigid_, .regression = Regression::fixed};
+    scene.physics = {.mechanics = !rigid_,
+                     .reference_map = !rigid_,
+                     .regression = by_law_ ? Regression::pyrolysis : Regression::fixed};
     scene.surface = {.pressure = pressure_, .heat_flux = {flux_}, .burn_rate = burn_rate_};
     scene.bottom.temperature = cold;
     scene.numerics.thermal_stress = reading;
     scene.numerics.stress_work = reading;
     const double smallest = grid_.depth / grid_.cells * std::pow(2.0, -grid_.clustering);
-    scene.time.step = cells_a_step * smallest / burn_rate_;
+    const auto model = rigid_ ? reference::SlabModel::thermal : reference::SlabModel::eulerian;
+    const double rate = by_law_ ? reference::Slab(conditions(model)).burn_rate() : burn_rate_;
+    scene.time.step = cells_a_step * smallest / rate;
     scene.time.end = 3.0;
     return scene;
 }
 
 reference::SlabConditions Slab::conditions(reference::SlabModel model) const {
-    const auto material = material_ == "AP" ? reference::ap() : reference::binder();
-    return {.material = reference::without_reaction(material),
+    auto material = material_ == "AP" ? reference::ap() : reference::binder();
+    stiffen(material, stiffening_);
+    return {.material = by_law_ ? material : reference::without_reaction(material),
             .model = model,
             .thermal_stress = alpha_k_ ? reference::ThermalStress::alpha_k
                                        : reference::ThermalStress::three_alpha_k,
+            .regression =
+                by_law_ ? reference::Regression::pyrolysis : reference::Regression::prescribed,
             .heat_flux = flux_,
             .burn_rate = burn_rate_,
             .pressure = pressure_,
@@ -142,7 +169,7 @@ SlabProfile burn_to_steady(const Scene& scene, double tolerance) {
         const State before = simulation.state();
         simulation.step();
         changed = change(before, simulation.state());
-        if (changed <= tolerance) return profile(simulation);
+        if (changed <= tolerance) return profile(simulation, before);
     }
     throw NumericalFailure(
         fmt::format("{}: not steady after {} s: the last step changed a value by {:.3g} of the "

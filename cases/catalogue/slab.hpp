@@ -15,9 +15,9 @@ namespace crawford {
 ///         .heated(200 * cal / (s * cm2))
 ///         .pressed(2 * MPa)
 ///
-/// One periodic column that regresses at a given rate. Pyrolysis absorbs nothing, as in the paper's
-/// one-dimensional study. The two halves share the numbers given here; material properties each
-/// takes from its own table.
+/// One periodic column that regresses at a given rate, pyrolysis absorbing nothing, as in the
+/// paper's one-dimensional study; or that burns by its law. The two halves share the numbers given
+/// here; material properties each takes from its own table.
 class Slab {
 public:
     struct Grid {
@@ -30,10 +30,13 @@ public:
     Slab(std::string material, Grid grid);
 
     Slab& regressing(double burn_rate);  ///< [m/s]
+    Slab& burning_by_law();              ///< r_b = A exp(-Ea/(R T_s)), which absorbs q_s rho r_b
     Slab& heated(double flux);           ///< [W/m^2]
     Slab& pressed(double pressure);      ///< [Pa]
     Slab& thermal_stress_alpha_k();      ///< beta = alpha K instead of 3 alpha K
-    Slab& rigid();                       ///< no mechanics
+    /// K and mu times n^2, alpha over n: less strain, as much stress work.
+    Slab& stiffened(double n);
+    Slab& rigid();  ///< no mechanics
 
     Scene scene() const;
     /// The same slab, of the same finite depth, under the assumptions of `model`.
@@ -45,6 +48,8 @@ private:
     double burn_rate_ = 0.0;
     double flux_ = 0.0;
     double pressure_ = 0.0;
+    double stiffening_ = 1.0;
+    bool by_law_ = false;
     bool alpha_k_ = false;
     bool rigid_ = false;
 };
@@ -63,6 +68,7 @@ struct SlabProfile {
     std::vector<double> stress_22;  ///< [Pa]
     std::vector<double> pressure;   ///< [Pa]
     std::vector<double> deformation_gradient_22;
+    double burn_rate = 0.0;  ///< speed of the surface in the last step [m/s]
 };
 
 /// Burns until no temperature and no velocity changes by more than `tolerance` of the largest in a
