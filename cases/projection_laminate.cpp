@@ -1,0 +1,194 @@
+/// # Laminate: does the projection see an interface exactly where the grid has one, and how far off
+/// is it where the grid has none?
+///
+/// Layers along y, periodic in x, pressed at their ends from rest in one quasi-static step. The
+/// exact field (reference/elastic_laminate.hpp) is linear within each layer, so bilinear elements
+/// hold it without error if a grid line lies on every interface: what is left is round-off, however
+/// coarse or clustered the grid. That is gated as a bound, since an error at round-off has no
+/// order.
+///
+/// An even pressure bends the end of most laminates, because their layers want to carry different
+/// sigma_yy. Two ways avoid that. The materials of the first study are matched
+/// (reference::balanced_strip): the strip is 19 times softer in shear and 19 times stiffer in bulk.
+/// The second takes AP and binder (contrast 5000, K/mu = 4268) and a stress from the start that is
+/// even in each layer and lacks what the layer is about to take: s_yy = -p_c - sigma_yy. It exerts
+/// no force inside a layer and none across an interface.
+///
+/// In the third the interface cuts a column of cells, always at the same third. Such a column holds
+/// the harmonic means of K and mu. They are not the column's true stiffness: across the layers the
+/// true one is the harmonic mean of lambda + 2 mu, which is larger, along them it is closer to the
+/// arithmetic mean. The solver therefore solves, exactly but for the ends, the laminate with a thin
+/// third layer of width h and another material. Its strain is wrong by a fixed amount on a share h
+/// of the period, so displacements are of order 1; stress is wrong by a fixed amount on that share
+/// and by h elsewhere: order 1 in L1 and 1/2 in L2.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/catalogue/registry.hpp"
+#include "cases/catalogue/terms.hpp"
+#include "cases/catalogue/units.hpp"
+#include "reference/elastic_laminate.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace crawford {
+
+namespace {
+
+using namespace units;
+using reference::ElasticLaminate;
+using reference::LaminateConditions;
+using reports::at_most;
+using reports::expect;
+using reports::Norm;
+
+constexpr double pressure = 2.0 * MPa;
+constexpr double width = 240.0 * um;
+constexpr double depth = 240.0 * um;
+
+LaminateConditions laminate(const reference::Material& inner, double strip, double axial_strain) {
+    return {.inner = inner,
+            .outer = reference::ap(),
+            .period = width,
+            .strip = strip,
+            .axial_strain = axial_strain};
+}
+
+/// Layers that carry the same sigma_yy, strained as the pressure wants it.
+LaminateConditions matched(double strip) {
+    const auto inner = reference::balanced_strip(reference::ap(), strip, width, 0.9);
+    const double stiffness = ElasticLaminate(laminate(inner, strip, 1.0)).stress(0.0).yy;
+    return laminate(inner, strip, -pressure / stiffness);
+}
+
+Scene scene(const LaminateConditions& laminate, int nx, double clustering) {
+    Material inner = htpb_binder();
+    inner.bulk_modulus = laminate.inner.bulk_modulus;
+    inner.shear_modulus = laminate.inner.shear_modulus;
+    Scene scene;
+    scene.domain = {
+        .width = width, .depth = depth, .nx = nx, .ny = nx, .clustering = clustering, .half = true};
+    scene.morphology = {.shape = Sandwich{laminate.strip},
+                        .materials = {ammonium_perchlorate(), inner}};
+    scene.physics = {.heat = false, .reference_map = false, .regression = Regression::none};
+    scene.surface.pressure = pressure;
+    return scene;
+}
+
+/// What each layer lacks of -p_c when strained is there from the start.
+void complete(StressField& stress, const ElasticLaminate& exact, const Grid& grid) {
+    for (int i = 0; i < grid.cell_columns(); ++i) {
+        const double s = -pressure - exact.stress(grid.x(i) + 0.5 * grid.dx()).yy;
+        for (int j = 0; j < grid.rows(); ++j) {
+            for (auto& point : stress.deviator) point(i, j) = {-s / 3.0, 2.0 * s / 3.0, 0.0};
+            stress.pressure(i, j) = -s / 3.0;
+        }
+    }
+}
+
+/// One step, and what it should have found: displacements at nodes, stresses of cells.
+struct Run {
+    std::vector<double> u, v, xx, yy;
+    std::vector<double> u_exact, v_exact, xx_exact, yy_exact;
+
+    Run(const LaminateConditions& laminate, const Scene& scene) {
+        const ElasticLaminate exact(laminate);
+        Simulation simulation(scene);
+        const Grid& grid = simulation.grid();
+        State start = simulation.state();
+        complete(start.stress, exact, grid);
+        simulation.restore(start);
+        simulation.step();
+        const State& state = simulation.state();
+        for (int i = 0; i < grid.node_columns(); ++i)
+            for (int j = 0; j <= grid.rows(); ++j) {
+                const auto truth = exact.displacement(grid.x(i), grid.eta(j) + depth);
+                u.push_back(state.velocity(i, j).x() * scene.time.step);
+                v.push_back(state.velocity(i, j).y() * scene.time.step);
+                u_exact.push_back(truth.x());
+                v_exact.push_back(truth.y());
+            }
+        for (int i = 0; i < grid.cell_columns(); ++i)
+            for (int j = 0; j < grid.rows(); ++j) {
+                const PlaneStress mean = state.stress.mean(i, j);
+                xx.push_back(mean.s11);
+                yy.push_back(mean.s22);
+                xx_exact.push_back(exact.stress_xx());
+                yy_exact.push_back(-pressure);
+            }
+    }
+};
+
+double relative_error(const std::vector<double>& values, const std::vector<double>& truth) {
+    return reports::distance(Norm::Linf, values, truth) / reports::norm(Norm::Linf, truth);
+}
+
+reports::Measurement aligned(const LaminateConditions& laminate, int nx) {
+    reports::Measurement result(1.0 / nx);
+    for (const auto& [element, name] :
+         {std::pair{Element::bbar, "B-bar"}, std::pair{Element::q1, "q1"}}) {
+        Scene pressed = scene(laminate, nx, 2.0);
+        pressed.numerics.element = element;
+        const Run run(laminate, pressed);
+        const std::string tail = std::string(", ") + name;
+        result.value("u" + tail, relative_error(run.u, run.u_exact))
+            .value("v" + tail, relative_error(run.v, run.v_exact))
+            .value("sigma_xx" + tail, relative_error(run.xx, run.xx_exact))
+            .value("sigma_yy" + tail, relative_error(run.yy, run.yy_exact));
+    }
+    return result;
+}
+
+reports::Measurement cut(int nx) {
+    const LaminateConditions laminate = matched(130.0 * um);
+    const Run run(laminate, scene(laminate, nx, 0.0));
+    reports::Measurement result(1.0 / nx);
+    result.field("u", run.u, run.u_exact)
+        .field("v", run.v, run.v_exact)
+        .field("sigma_xx", run.xx, run.xx_exact)
+        .field("sigma_yy", run.yy, run.yy_exact);
+    return result;
+}
+
+reports::Study exact_on_grid_lines(const std::string& name, const LaminateConditions& laminate,
+                                   double tolerance) {
+    reports::Study study("projection-laminate, " + name);
+    study.grids({8, 32})
+        .measure([laminate](int nx) { return aligned(laminate, nx); })
+        .covers({term::elasticity, term::equilibrium, term::traction, term::support,
+                 term::elastic_interface, term::incompressibility, term::clustering});
+    for (const char* element : {", B-bar", ", q1"})
+        for (const char* quantity : {"u", "v", "sigma_xx", "sigma_yy"})
+            for (const int grid : {8, 32})
+                study.bound(std::string(quantity) + element, grid, at_most(tolerance),
+                            "linear within each layer: round-off, which contrast and K/mu amplify");
+    return study;
+}
+
+std::vector<reports::Study> studies() {
+    reports::Study between_lines("projection-laminate, interface inside cells");
+    between_lines.grids({16, 64, 256})
+        .measure(cut)
+        .covers({term::elastic_interface, term::equilibrium})
+        .gate("u", Norm::L2, expect(1.0).within(0.1), "wrong strain in a column of width h")
+        .gate("v", Norm::L2, expect(1.0).within(0.02), "wrong stiffness of a share h of the width")
+        .gate("sigma_xx", Norm::L1, expect(1.0).within(0.1), "one number, wrong by h; and the ends")
+        .gate("sigma_yy", Norm::L1, expect(1.0).within(0.1), "wrong by a fixed amount on a share h")
+        .gate("sigma_yy", Norm::L2, expect(0.5).within(0.05, 0.2),
+              "the root of that share; what is wrong by h elsewhere still shows on coarse grids");
+    return {exact_on_grid_lines("matched layers", matched(120.0 * um), 2e-11),
+            exact_on_grid_lines("AP and binder", laminate(reference::binder(), 60.0 * um, -1e-3),
+                                2e-10),
+            between_lines};
+}
+
+const Registered here{{.name = "projection-laminate",
+                       .figure = "-",
+                       .shows = "pressed laminate against its exact solution",
+                       .cost = {.verify = 2.0},
+                       .studies = studies}};
+
+}  // namespace
+
+}  // namespace crawford
