@@ -45,22 +45,44 @@ std::vector<Fault> chosen(std::vector<Fault> faults, const std::vector<std::stri
     return faults;
 }
 
-/// Rows that name a study that is none, or whose text does not stand in its file exactly once.
-std::vector<std::string> problems(const std::vector<Fault>& faults, const ScratchTree& tree) {
-    const auto known = tree.studies();
-    std::vector<std::string> found;
-    for (const Fault& fault : faults) {
-        if (fault.seen_by.kind == Judge::Kind::study &&
-            std::ranges::find(known, fault.seen_by.name) == known.end())
-            found.push_back(
-                fmt::format("{}: no study is called {}", fault.name, fault.seen_by.name));
-        try {
-            with_fault(tree.read(fault.file), fault);
-        } catch (const std::exception& problem) {
-            found.emplace_back(problem.what());
-        }
+/// Why a row is worthless: it names a study that is none, or its text does not stand in its file
+/// exactly once. Nothing if it is sound.
+std::string problem_of(const Fault& fault, const ScratchTree& tree) {
+    const auto studies = tree.studies();
+    if (fault.seen_by.kind == Judge::Kind::study &&
+        std::ranges::find(studies, fault.seen_by.name) == studies.end())
+        return fmt::format("{}: no study is called {}", fault.name, fault.seen_by.name);
+    try {
+        with_fault(tree.read(fault.file), fault);
+    } catch (const std::exception& problem) {
+        return problem.what();
     }
-    return found;
+    return "";
+}
+
+/// Faults that can be judged, and a verdict for each of those that cannot.
+struct Sorted {
+    std::vector<Fault> sound;
+    std::vector<Verdict> worthless;
+};
+
+Sorted sorted(const std::vector<Fault>& faults, const ScratchTree& tree) {
+    Sorted result;
+    for (const Fault& fault : faults) {
+        const std::string problem = problem_of(fault, tree);
+        if (problem.empty())
+            result.sound.push_back(fault);
+        else
+            result.worthless.push_back({fault, {}, problem});
+    }
+    return result;
+}
+
+int check(const Sorted& rows) {
+    for (const Verdict& row : rows.worthless) std::cout << row.broken << '\n';
+    std::cout << fmt::format("{} of {} faults apply\n", rows.sound.size(),
+                             rows.sound.size() + rows.worthless.size());
+    return rows.worthless.empty() ? all_seen : some_survived;
 }
 
 /// "[3 of 60, 12 min left] name: who saw it"
@@ -76,30 +98,26 @@ void tell(const Verdict& verdict, size_t done, size_t total, Clock::time_point s
 }
 
 int hunt(const Options& options) {
+    const ScratchTree tree(options.sources, options.work / "tree");
     const auto faults =
         chosen(read_faults(options.sources / "tests" / "mutants" / "mutants.toml"), options.names);
-    const ScratchTree tree(options.sources, options.work / "tree");
-    const auto wrong = problems(faults, tree);
-    for (const std::string& problem : wrong) say(problem);
-    if (options.check) {
-        std::cout << fmt::format("{} of {} faults apply\n", faults.size() - wrong.size(),
-                                 faults.size());
-        return wrong.empty() ? all_seen : some_survived;
-    }
+    const Sorted rows = sorted(faults, tree);
+    if (options.check) return check(rows);
 
     Ledger ledger(options.work / "findings.json");
     const Workshop workshop(tree.path(), options.work, options.jobs);
     Hunt hunt(tree, workshop, ledger,
               {.studies = options.studies.empty() ? tree.studies() : options.studies,
                .all_studies = options.all_studies});
-    hunt.check_sound(faults, say);
+    hunt.check_sound(rows.sound, say);
 
     std::vector<Verdict> verdicts;
     const auto start = Clock::now();
-    for (const Fault& fault : faults) {
+    for (const Fault& fault : rows.sound) {
         verdicts.push_back(hunt.judge(fault));
-        tell(verdicts.back(), verdicts.size(), faults.size(), start);
+        tell(verdicts.back(), verdicts.size(), rows.sound.size(), start);
     }
+    verdicts.insert(verdicts.end(), rows.worthless.begin(), rows.worthless.end());
     std::cout << table_of_faults(verdicts, options.every_gate);
     if (options.all_studies) std::cout << '\n' << table_of_judges(verdicts);
     return std::ranges::all_of(verdicts, &Verdict::killer) ? all_seen : some_survived;

@@ -136,6 +136,9 @@ TEST(MutantsReport, NamesSurvivorsAndWhatOnlyOneJudgeSees) {
     EXPECT_THAT(faults, HasSubstr("1 of 2 faults seen"));
     EXPECT_THAT(faults, HasSubstr("Survivors:\n\n- scale"));
     EXPECT_THAT(faults, Not(HasSubstr("Worthless")));
+    EXPECT_THAT(faults, Not(HasSubstr("another than expected")));
+    const Verdict elsewhere{sign, {{sum, {}}, {product, {{"product: y, L2"}, 1.0}}}, ""};
+    EXPECT_THAT(table_of_faults({elsewhere}, false), HasSubstr("sign: product, not sum"));
     EXPECT_THAT(table_of_judges({seen, survivor}), HasSubstr("| product | 0    | NOTHING"));
     EXPECT_THAT(table_of_judges({seen, survivor}), HasSubstr("| sum     | 1    | sign"));
 }

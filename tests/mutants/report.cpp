@@ -59,17 +59,22 @@ std::vector<std::string> witnesses(const Verdict& verdict) {
 std::string table_of_faults(const std::vector<Verdict>& verdicts, bool every_gate) {
     std::vector<Row> rows{{"fault", "file", "breaks", "seen by", "s"}};
     std::vector<std::string> survivors;
+    std::vector<std::string> unexpected;
     std::vector<std::string> worthless;
     for (const Verdict& v : verdicts) {
         rows.push_back({v.fault.name, v.fault.file, v.fault.breaks, fate(v, every_gate),
                         fmt::format("{:.1f}", v.seconds())});
         if (v.survived()) survivors.push_back(v.fault.name + ": " + v.fault.breaks);
+        if (v.killer() && !(v.killer()->judge == v.fault.seen_by))
+            unexpected.push_back(fmt::format("{}: {}, not {}", v.fault.name,
+                                             v.killer()->judge.label(), v.fault.seen_by.label()));
         if (!v.broken.empty()) worthless.push_back(v.broken);
     }
     const size_t seen = verdicts.size() - survivors.size() - worthless.size();
     return markdown(std::move(rows)) +
            fmt::format("\n{} of {} faults seen\n", seen, verdicts.size()) +
-           list("Survivors:", survivors) + list("Worthless rows:", worthless);
+           list("Survivors:", survivors) + list("Seen by another than expected:", unexpected) +
+           list("Worthless rows:", worthless);
 }
 
 std::string table_of_judges(const std::vector<Verdict>& verdicts) {

@@ -21,7 +21,8 @@ using reports::Finished;
 constexpr int timed_out = 124;  // as `timeout` says it
 
 Finished run_limited(std::vector<std::string> command, double limit) {
-    command.insert(command.begin(), {"timeout", "--kill-after=10", fmt::format("{:.0f}", limit)});
+    command.insert(command.begin(),
+                   {"timeout", "--foreground", "--kill-after=10", fmt::format("{:.0f}", limit)});
     return reports::run_program(command);
 }
 
