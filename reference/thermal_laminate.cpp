@@ -22,8 +22,8 @@ ThermalLaminate::ThermalLaminate(const TwoConductors& solid) : solid_(solid) {
     require_not_negative("frequency", solid.frequency);
     if (solid.strip >= solid.width)
         throw std::invalid_argument("strip must be narrower than the width");
-    crossing_ = 1.0;
-    crossing_ = 0.5 / std::max(std::abs(rises(0.0)), std::abs(rises(0.5 * solid.width)));
+    strength_ = 1.0;
+    strength_ = 0.5 / std::max(std::abs(rises(0.0)), std::abs(rises(0.5 * solid.width)));
 }
 
 double ThermalLaminate::wave_number() const {
@@ -39,7 +39,7 @@ ThermalLaminate::Layer ThermalLaminate::layer(double x) const {
 
 double ThermalLaminate::rises(double x) const {
     const double at_the_interface = std::cos(0.5 * wave_number() * solid_.strip);
-    return crossing_ / (wave_number() * layer(x).conductivity) *
+    return strength_ / (wave_number() * layer(x).conductivity) *
            (at_the_interface - std::cos(wave_number() * x));
 }
 
@@ -55,7 +55,7 @@ double ThermalLaminate::temperature(double x, double y, double t) const {
 double ThermalLaminate::source(double x, double y, double t) const {
     const double stored =
         layer(x).capacity * 0.5 * solid_.frequency * std::cos(solid_.frequency * t) * rises(x);
-    const double conducted = swing(t) * crossing_ * wave_number() * std::cos(wave_number() * x);
+    const double conducted = swing(t) * strength_ * wave_number() * std::cos(wave_number() * x);
     return solid_.rise * (1.0 + y / solid_.depth) * (stored - conducted);
 }
 
@@ -65,6 +65,11 @@ double ThermalLaminate::inner_flux() const {
 
 double ThermalLaminate::outer_flux() const {
     return solid_.outer_conductivity * solid_.rise / solid_.depth;
+}
+
+double ThermalLaminate::crossing_heat(double y, double t) const {
+    return solid_.rise * (1.0 + y / solid_.depth) * swing(t) * strength_ *
+           std::sin(0.5 * wave_number() * solid_.strip);
 }
 
 double ThermalLaminate::further_flux(double x, double t) const {

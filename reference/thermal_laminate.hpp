@@ -38,6 +38,8 @@ public:
 
     double inner_flux() const;  ///< kappa A/L of the strip [W/m^2]
     double outer_flux() const;
+    /// Heat conducted against x through the interface at x = strip/2, kappa dT/dx [W/m^2].
+    double crossing_heat(double y, double t) const;
     /// What enters through the surface beside these, continuous in x [W/m^2].
     double further_flux(double x, double t) const;
 
@@ -51,7 +53,7 @@ private:
     double wave_number() const;    ///< 2 pi/width
 
     TwoConductors solid_;
-    double crossing_ = 0.0;  ///< F [W/(m^2 K)]
+    double strength_ = 0.0;  ///< F [W/(m^2 K)]
 };
 
 }  // namespace crawford::reference

@@ -252,6 +252,8 @@ TEST(ThermalLaminate, TemperatureAndFluxPassThroughTheInterfaces) {
         const double outside = side < 0.0 ? left : right;
         EXPECT_GT(std::abs(0.05 * inside), 1e4);
         EXPECT_NEAR(0.05 * inside, 0.4 * outside, 1e-4 * std::abs(0.05 * inside));
+        const double crossing = std::copysign(laminate.crossing_heat(y, t), side);
+        EXPECT_NEAR(0.05 * inside, crossing, 1e-4 * std::abs(crossing));
         EXPECT_NEAR(at(-1e-13), at(1e-13), 1e-5);
         EXPECT_NEAR(laminate.source(side - 1e-13, y, t), laminate.source(side + 1e-13, y, t),
                     1e-6 * std::abs(laminate.source(0.0, y, t)));

@@ -1,5 +1,7 @@
 #include "cases/catalogue/prescribed_heat.hpp"
 
+#include <cmath>
+
 #include "cases/catalogue/units.hpp"
 #include "solver/heat/heat_step.hpp"
 
@@ -108,6 +110,23 @@ PrescribedHeat manufactured(const Scene& scene, const reference::HeatedSolid& so
     heat.sources.heat = [truth](double x, double y, double t) { return truth.source(x, y, t); };
     heat.sources.heat_flux = [truth](double x, double, double t) {
         return truth.surface_flux(x, t);
+    };
+    return heat;
+}
+
+PrescribedHeat burning(Scene scene, const reference::HeatedSolid& solid,
+                       const reference::Material& material) {
+    const double flame = 100.0 * units::cal / (units::s * units::cm2);
+    scene.physics.regression = Regression::pyrolysis;
+    scene.surface.heat_flux = {flame};
+    PrescribedHeat heat = manufactured(scene, solid);
+    heat.sources.heat_flux = [truth = reference::ManufacturedHeat(solid), material, flame](
+                                 double x, double, double t) {
+        const double temperature = truth.temperature(x, truth.surface(x, t), t);
+        const double rate =
+            material.pyrolysis_prefactor * std::exp(-material.activation_temperature / temperature);
+        return truth.surface_flux(x, t) - flame -
+               material.heat_of_reaction * material.density * rate;
     };
     return heat;
 }

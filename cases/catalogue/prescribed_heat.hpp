@@ -40,6 +40,12 @@ reference::HeatedSolid heated_block(const reference::Material& material);
 /// The scene driven to the manufactured temperature by its source and surface flux.
 PrescribedHeat manufactured(const Scene& scene, const reference::HeatedSolid& solid);
 
+/// The same below a surface that burns by pyrolysis under 100 cal/(s cm2): the flame's flux and
+/// what pyrolysis absorbs come from the solver's burning law, the source of flux gives only the
+/// rest.
+PrescribedHeat burning(Scene scene, const reference::HeatedSolid& solid,
+                       const reference::Material& material);
+
 /// Temperature at every node at the end, with the size of the cells that each stands for.
 struct FoundHeat {
     std::vector<double> temperature, exact, weight;
