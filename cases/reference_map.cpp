@@ -1,0 +1,305 @@
+/// # Reference map: is every particle remembered where it started?
+///
+/// Motions whose particles can be followed in closed form (reference/exact_motions.hpp): a rigid
+/// rotation, a simple shear, a wavy shear that is curved in x, a uniaxial flow that is curved in y.
+/// On a level uniform grid the first two are linear in space and hide every error of second order;
+/// so all of them run on a clustered grid under a curved surface that moves.
+///
+/// - One step of `advance_reference_map` from the exact shift xi - x: (after - before)/dt is the
+///   rate that the discretisation gives, without any error in time. ENO2 takes the flatter of two
+///   second-order stencils: two in Linf as well as L1. Row 1 has no second row below it, so it
+///   takes the first-order difference there, but it is a single row and costs L1 nothing.
+/// - `deformation_gradient` of the exact shift. Bilinear cells hold a linear map exactly, on any
+///   slope: F of rotation and shear to round-off. A curved map: two at cell centres. F of a shear
+///   tells F from its transpose and from its inverse, and E from (F F^T - I)/2.
+/// - Evolved in time. A turning body in steps of Euler on a grid that holds it exactly: order one,
+///   and E, which should stay zero, becomes -theta^2/(2 n) I. Read where neither the held bottom
+///   nor the sides have reached: two nodes a step. The uniaxial flow, which leaves the bottom
+///   alone, from the first moment on, with dt ~ h^2: two.
+
+#include "solver/reference_map/reference_map.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "cases/catalogue/comparison.hpp"
+#include "cases/catalogue/prescribed_motion.hpp"
+#include "cases/catalogue/registry.hpp"
+#include "cases/catalogue/terms.hpp"
+#include "cases/catalogue/units.hpp"
+#include "reference/exact_motions.hpp"
+
+namespace crawford {
+
+namespace {
+
+using namespace units;
+using Eigen::Matrix2d;
+using reports::between;
+using reports::expect;
+using reports::Norm;
+
+constexpr double width = 240.0 * um;
+constexpr double burn_rate = 4.5e-3 * m / s;
+constexpr double wave_number = 2.0 * std::numbers::pi / width;
+
+constexpr auto rate = "rate of xi - x";
+constexpr auto rate_above = "rate of xi - x above row 1";
+constexpr auto worst_f = "F, worst entry - exact";
+constexpr auto worst_e = "E, worst entry - exact";
+constexpr auto drift_11 = "n E_11/theta^2";
+constexpr auto drift_12 = "n E_12/theta^2";
+
+/// What the studies need to know of a motion, at the time they look at it.
+struct Followed {
+    std::function<Vector(Vector x)> velocity;
+    std::function<Vector(Vector x)> origin;      ///< xi
+    std::function<Matrix2d(Vector x)> gradient;  ///< F
+    std::function<Matrix2d(Vector x)> strain;    ///< E
+};
+
+template <class Exact>
+Followed followed(const Exact& exact, double t) {
+    return {.velocity = [=](const Vector& x) { return exact.velocity(x); },
+            .origin = [=](const Vector& x) { return exact.origin(x, t); },
+            .gradient =
+                [=](const Vector& x) {
+                    if constexpr (requires { exact.deformation_gradient(x, t); })
+                        return exact.deformation_gradient(x, t);
+                    else
+                        return exact.deformation_gradient(t);
+                },
+            .strain = [=](const Vector& x) -> Matrix2d {
+                if constexpr (requires { exact.strain(x, t); })
+                    return exact.strain(x, t);
+                else if constexpr (requires { exact.strain(t); })
+                    return exact.strain(t);
+                else
+                    return Matrix2d::Zero();
+            }};
+}
+
+double surface(double x) {
+    return 0.05 * width * std::cos(wave_number * x);
+}
+
+double surface_rate(double x) {
+    return -burn_rate * (1.0 + 0.3 * std::sin(wave_number * x));
+}
+
+/// The curved, clustered, moving grid.
+PrescribedMotion body(const Followed& motion, int cells) {
+    return {{.width = width, .depth = width, .nx = cells, .ny = cells, .clustering = 1.0},
+            {.surface = surface, .surface_rate = surface_rate, .velocity = motion.velocity}};
+}
+
+NodeVectors shift_of(const PrescribedMotion& body, const Followed& motion) {
+    NodeVectors shift(body.grid().node_columns(), body.grid().rows() + 1);
+    for (int i = 0; i < shift.columns(); ++i)
+        for (int j = 0; j < shift.rows(); ++j) {
+            const Vector x = body.node(i, j);
+            shift(i, j) = motion.origin(x) - x;
+        }
+    return shift;
+}
+
+/// d(shift)/dt at a point that rides with the grid: xi_t + phi_t (d(xi)/dy - e_y), xi_t = -v(xi).
+Vector exact_rate(const Followed& motion, const Vector& x) {
+    const Matrix2d gradient_of_origin = motion.gradient(x).inverse();
+    return -motion.velocity(motion.origin(x)) +
+           surface_rate(x.x()) * (gradient_of_origin.col(1) - Vector::UnitY());
+}
+
+/// A rotation and a shear are not periodic: what stencils beyond the sides read is left out.
+bool is_inside(const Vector& x) {
+    return std::abs(x.x()) < 0.4 * width;
+}
+
+reports::Measurement one_step(const Followed& motion, int cells) {
+    const PrescribedMotion exact = body(motion, cells);
+    const Grid& grid = exact.grid();
+    const NodeVectors before = shift_of(exact, motion);
+    NodeVectors after = before;
+    const double dt = 1e-3 * width / burn_rate / cells;
+    advance_reference_map(grid, exact.motion(), dt, after);
+
+    Comparison everywhere, above_row_1;
+    for (int i = 0; i < grid.node_columns(); ++i)
+        for (int j = 1; j <= grid.rows(); ++j) {
+            const Vector x = exact.node(i, j);
+            if (!is_inside(x)) continue;
+            const Vector found = (after(i, j) - before(i, j)) / dt;
+            everywhere.add(found, exact_rate(motion, x), grid.metric(j));
+            if (j > 1) above_row_1.add(found, exact_rate(motion, x), grid.metric(j));
+        }
+    reports::Measurement result(1.0 / cells);
+    everywhere.report(rate, result);
+    above_row_1.report(rate_above, result);
+    return result;
+}
+
+/// F and E of every cell, and how far the worst entries are from the truth.
+void report_gradients(const PrescribedMotion& body, const NodeVectors& shift,
+                      const Followed& motion, reports::Measurement& to) {
+    const auto found = deformation_gradient(body.grid(), body.surface(), shift);
+    Comparison f, e;
+    for (const CellPoint& at : body.centres()) {
+        if (!is_inside(at.x)) continue;
+        f.add(found(at.i, at.j), motion.gradient(at.x), at.weight);
+        e.add(green_strain(found(at.i, at.j)), motion.strain(at.x), at.weight);
+    }
+    f.report("F", to);
+    e.report("E", to);
+    to.value(worst_f, reports::distance(Norm::Linf, f.found, f.exact))
+        .value(worst_e, reports::distance(Norm::Linf, e.found, e.exact));
+}
+
+reports::Measurement gradients(const Followed& motion, int cells) {
+    const PrescribedMotion exact = body(motion, cells);
+    reports::Measurement result(1.0 / cells);
+    report_gradients(exact, shift_of(exact, motion), motion, result);
+    return result;
+}
+
+/// A body that turns by theta, compared in the few cells that neither the bottom nor the sides have
+/// reached in the largest number of steps.
+reports::Measurement turn(int steps) {
+    constexpr double theta = 0.1;
+    constexpr int most_steps = 32;
+    constexpr int core = 4;
+    constexpr int cells = 2 * (2 * most_steps + core);
+    const reference::RigidRotation rotation(theta / s, {0.0, -0.5 * width});
+    const Followed truth = followed(rotation, 1.0 * s);
+    const PrescribedMotion body(
+        {.width = width, .depth = width, .nx = cells, .ny = cells, .clustering = 0.0},
+        {.velocity = truth.velocity});
+    NodeVectors shift(cells, cells + 1);
+    for (int n = 0; n < steps; ++n)
+        advance_reference_map(body.grid(), body.motion(), 1.0 * s / steps, shift);
+
+    const auto found = deformation_gradient(body.grid(), body.surface(), shift);
+    Comparison shifts, f;
+    for (int i = cells / 2 - core; i < cells / 2 + core; ++i)
+        for (int j = cells / 2 - core; j < cells / 2 + core; ++j) {
+            const Vector x = body.node(i, j);
+            shifts.add(shift(i, j), truth.origin(x) - x);
+            f.add(found(i, j), truth.gradient(x));
+        }
+    const Matrix2d strain = green_strain(found(cells / 2, cells / 2)) * steps / (theta * theta);
+    reports::Measurement result(1.0 / steps);
+    shifts.report("xi - x", result);
+    f.report("F", result);
+    return result.value(drift_11, strain(0, 0)).value(drift_12, strain(0, 1));
+}
+
+/// A column that stretches for as long as its material needs to rise by a quarter of its depth.
+reports::Measurement stretch(int cells) {
+    const double end = 0.5 * width / burn_rate;
+    const Followed truth = followed(reference::UniaxialFlow(0.5 * burn_rate, -width, width), end);
+    const PrescribedMotion body(
+        {.width = width, .depth = width, .nx = 1, .ny = cells, .clustering = 1.0},
+        {.velocity = truth.velocity});
+    const int steps = cells * cells / 8;
+    NodeVectors shift(1, cells + 1);
+    for (int n = 0; n < steps; ++n)
+        advance_reference_map(body.grid(), body.motion(), end / steps, shift);
+
+    Comparison shifts;
+    for (int j = 1; j <= cells; ++j) {
+        const Vector x = body.node(0, j);
+        shifts.add(shift(0, j), truth.origin(x) - x, body.grid().metric(j));
+    }
+    reports::Measurement result(1.0 / cells);
+    shifts.report("xi - x", result);
+    report_gradients(body, shift, truth, result);
+    return result;
+}
+
+reports::Study step_study(const std::string& name, const Followed& motion) {
+    reports::Study study("reference-map, one step, " + name);
+    study.grids({32, 64, 128, 256})
+        .measure([motion](int cells) { return one_step(motion, cells); })
+        .covers({term::map_advection, term::slope, term::clustering, term::grid_motion})
+        .gate(rate, Norm::L1, expect(2.0).within(0.15), "ENO2; one row at the bottom of order 1")
+        .gate(rate_above, Norm::Linf, expect(2.0).within(0.2, 0.1).from(64),
+              "ENO2 in every other row; at the bottom clustering nears its two from below");
+    return study;
+}
+
+reports::Study linear_map(const std::string& name, const Followed& motion) {
+    reports::Study study("reference-map, F, " + name);
+    study.grids({64})
+        .measure([motion](int cells) { return gradients(motion, cells); })
+        .covers({term::deformation, term::slope, term::clustering});
+    for (const auto* worst : {worst_f, worst_e})
+        study.bound(worst, 64, between(0.0, 1e-12),
+                    "bilinear cells hold a linear map: round-off of differences over a cell");
+    return study;
+}
+
+reports::Study curved_map(const std::string& name, const Followed& motion) {
+    reports::Study study("reference-map, F, " + name);
+    study.grids({32, 64, 128, 256})
+        .measure([motion](int cells) { return gradients(motion, cells); })
+        .covers({term::deformation, term::slope, term::clustering});
+    for (const auto* quantity : {"F", "E"})
+        study.gate(quantity, Norm::L2, expect(2.0).within(0.05), "centred differences at centres");
+    return study;
+}
+
+reports::Study turning() {
+    reports::Study study("reference-map, turned in n steps");
+    study.grids({4, 8, 16, 32})
+        .measure(turn)
+        .covers({term::map_advection, term::deformation, term::time_step})
+        .gate("xi - x", Norm::L2, expect(1.0).within(0.05), "Euler; a linear map is exact in space")
+        .gate("F", Norm::L2, expect(1.0).within(0.05), "the same")
+        .limit_bound(
+            drift_11, 1.0, between(-0.505, -0.495),
+            "each step scales grad(xi) by sqrt(1 + (theta/n)^2): E = -theta^2/(2 n) I; 1 %")
+        .limit_bound(drift_12, 1.0, between(-1e-6, 1e-6), "the same without shear; round-off");
+    return study;
+}
+
+reports::Study stretching() {
+    reports::Study study("reference-map, stretched, dt ~ h^2");
+    study.grids({32, 64, 128, 256})
+        .measure(stretch)
+        .covers({term::map_advection, term::deformation, term::clustering});
+    for (const auto* quantity : {"xi - x", "F", "E"})
+        study.gate(quantity, Norm::L2, expect(2.0).within(0.1), "ENO2, and Euler with dt ~ h^2");
+    return study;
+}
+
+std::vector<reports::Study> studies() {
+    const double t = 0.1 * width / burn_rate;
+    const auto rotation =
+        followed(reference::RigidRotation(0.5 / t, {0.1 * width, -0.4 * width}), t);
+    const auto shear = followed(reference::SimpleShear(0.5 / t, -0.3 * width), t);
+    const auto wavy = [&](double drift) {
+        return followed(reference::WavyShear(drift, 0.5 * burn_rate, width), t);
+    };
+    const auto flow = followed(reference::UniaxialFlow(0.5 * burn_rate, -1.1 * width, width), t);
+    return {step_study("rotation", rotation),
+            step_study("simple shear", shear),
+            step_study("wavy shear drifting right", wavy(0.7 * burn_rate)),
+            step_study("wavy shear drifting left", wavy(-0.7 * burn_rate)),
+            step_study("uniaxial flow", flow),
+            linear_map("rotation", rotation),
+            linear_map("simple shear", shear),
+            curved_map("wavy shear", wavy(0.7 * burn_rate)),
+            curved_map("uniaxial flow", flow),
+            turning(),
+            stretching()};
+}
+
+const Registered here{{.name = "reference-map",
+                       .figure = "-",
+                       .shows = "where particles started, in exact motions",
+                       .cost = {.verify = 3.0},
+                       .studies = studies}};
+
+}  // namespace
+
+}  // namespace crawford
