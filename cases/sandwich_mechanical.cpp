@@ -16,6 +16,7 @@
 
 #include "cases/catalogue/registry.hpp"
 #include "cases/catalogue/sandwich.hpp"
+#include "cases/catalogue/terms.hpp"
 #include "cases/catalogue/units.hpp"
 #include "reference/elastic_sandwich.hpp"
 #include "solver/simulation/simulation.hpp"
@@ -102,6 +103,8 @@ std::vector<reports::Study> studies() {
     reports::Study study("sandwich-mechanical");
     study.grids({128})
         .measure(measure)
+        .covers({term::elasticity, term::equilibrium, term::traction, term::support,
+                 term::elastic_interface, term::incompressibility})
         .bound("v, AP surface at x = 120 um [%]", 128, between(-0.5, 0.5), "far from the corner")
         .bound("v, binder surface at x = 0 [%]", 128, between(-1.0, 1.0),
                "16 cells from the singular corner")

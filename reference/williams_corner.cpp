@@ -89,4 +89,18 @@ double corner_exponent(const Material& a, const Material& b) {
     throw std::invalid_argument("corner of these two materials has no real exponent below 1");
 }
 
+double even_stress(const Material& a, const Material& b, double pressure) {
+    require_moduli(a, b);
+    require_finite("pressure", pressure);
+    // Strain along the interface: ((lambda + 2 mu) sigma_nn - lambda s)/(4 mu (lambda + mu)).
+    const auto compliance = [](const Material& m, double modulus) {
+        return modulus / (4.0 * m.shear_modulus * (m.lame() + m.shear_modulus));
+    };
+    const double along = compliance(a, a.lame()) - compliance(b, b.lame());
+    const double across = compliance(a, a.uniaxial_modulus()) - compliance(b, b.uniaxial_modulus());
+    if (along == 0.0)
+        throw std::invalid_argument("even stress of two materials that contract alike is free");
+    return -pressure * across / along;
+}
+
 }  // namespace crawford::reference

@@ -36,4 +36,11 @@ double bogy_function(const Dundurs& contrast, double lambda);
 /// stress is bounded where alpha (alpha - 2 beta) <= 0.
 double corner_exponent(const Material& a, const Material& b);
 
+/// What the singular field is added to where a pressure p_c [Pa] loads the free surface: sigma_nn =
+/// -p_c, no shear, and along the surface this even stress [Pa], common to both materials because
+/// the interface strains alike on both sides. It is the lambda = 1 of the corner.
+/// \throws std::invalid_argument if a modulus is out of range, if both materials have one Poisson
+/// contrast (any stress would do), or if the pressure is no number.
+double even_stress(const Material& a, const Material& b, double pressure);
+
 }  // namespace crawford::reference

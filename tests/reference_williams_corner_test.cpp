@@ -61,6 +61,22 @@ TEST(WilliamsCorner, DundursOfKnownPairs) {
     EXPECT_NEAR(pair.alpha, (second - first) / (first + second), 1e-14);
 }
 
+// Under it Hooke's law, written with K and mu, strains both materials alike along the interface.
+TEST(WilliamsCorner, EvenStressStrainsTheInterfaceAlike) {
+    const double s = even_stress(ap(), binder(), 2e6);
+    const auto strain = [&](const Material& m) {
+        // Plane strain: sigma_zz = nu (sigma_xx + sigma_yy), E = 9 K mu/(3 K + mu).
+        const double k = m.bulk_modulus;
+        const double mu = m.shear_modulus;
+        const double poisson = (3.0 * k - 2.0 * mu) / (2.0 * (3.0 * k + mu));
+        const double young = 9.0 * k * mu / (3.0 * k + mu);
+        return ((1.0 - poisson * poisson) * -2e6 - poisson * (1.0 + poisson) * s) / young;
+    };
+    // Round-off of 1 - nu - nu of the binder: K/mu = 4268 times 1e-16, and its compliance 1/mu.
+    EXPECT_NEAR(strain(ap()), strain(binder()), 1e-9 * std::abs(strain(ap())));
+    EXPECT_THROW(even_stress(ap(), ap(), 2e6), std::invalid_argument);
+}
+
 TEST(WilliamsCorner, RefusesByName) {
     EXPECT_THROW(corner_exponent(ap(), ap()), std::invalid_argument);
     EXPECT_THROW(corner_exponent(Material{}, ap()), std::invalid_argument);
