@@ -129,10 +129,10 @@ TEST(MutantsReport, NamesSurvivorsAndWhatOnlyOneJudgeSees) {
     const Judge product{Judge::Kind::study, "product"};
     Fault scale = sign;
     scale.name = "scale";
-    const Verdict seen{sign, {{sum, {{"sum: x, L2"}, 1.0}}, {product, {}}}, ""};
+    const Verdict seen{sign, {{sum, {{"sum: |x|, L2"}, 1.0}}, {product, {}}}, ""};
     const Verdict survivor{scale, {{sum, {}}, {product, {}}}, ""};
     const auto faults = table_of_faults({seen, survivor}, false);
-    EXPECT_THAT(faults, HasSubstr("sum: x, L2"));
+    EXPECT_THAT(faults, HasSubstr(R"(sum: \|x\|, L2)"));
     EXPECT_THAT(faults, HasSubstr("1 of 2 faults seen"));
     EXPECT_THAT(faults, HasSubstr("Survivors:\n\n- scale"));
     EXPECT_THAT(faults, Not(HasSubstr("Worthless")));

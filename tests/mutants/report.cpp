@@ -12,8 +12,16 @@ namespace {
 
 using Row = std::vector<std::string>;
 
+/// What would end a cell must not.
+std::string escaped(const std::string& cell) {
+    std::string text;
+    for (const char c : cell) text += c == '|' ? "\\|" : std::string(1, c);
+    return text;
+}
+
 /// The first row is the heading. Columns are as wide as their widest cell.
 std::string markdown(std::vector<Row> rows) {
+    for (Row& row : rows) std::ranges::transform(row, row.begin(), escaped);
     std::vector<size_t> widths(rows.front().size(), 0);
     for (const Row& row : rows)
         for (size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());

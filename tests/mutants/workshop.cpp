@@ -31,7 +31,8 @@ std::vector<std::string> fallen_gates(const fs::path& report) {
     std::vector<std::string> gates;
     std::ifstream in(report);
     if (!in) return gates;
-    for (const auto& gate : nlohmann::json::parse(in).at("gates"))
+    const auto document = nlohmann::json::parse(in);
+    for (const auto& gate : document.at("gates"))
         if (!gate.at("passed").get<bool>())
             gates.push_back(fmt::format("{}: {}{}{}", gate.at("study").get<std::string>(),
                                         gate.at("quantity").get<std::string>(),
@@ -104,6 +105,8 @@ Finding Workshop::ask_tests(const std::string& filter, double limit) const {
     const auto ended = run_limited(
         {(build_ / "tests" / "unit_tests").string(), "--gtest_brief=1", "--gtest_filter=" + filter},
         limit);
+    if (ended.output.find("] 0 tests ") != std::string::npos)
+        return {.gates = {"unit_tests: no test is called " + filter}};
     if (ended.status == 0) return {};
     Finding finding{.gates = failed_tests(ended.output)};
     if (finding.gates.empty())
