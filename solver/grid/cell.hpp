@@ -45,6 +45,16 @@ inline std::array<Node, 4> corners(const Grid& grid, int i, int j) {
     return {{{i, j}, {right, j}, {i, j + 1}, {right, j + 1}}};
 }
 
+/// The area that each node stands for [m^2]: a quarter of every cell around it.
+inline NodeField node_areas(const Grid& grid) {
+    NodeField areas(grid.node_columns(), grid.rows() + 1);
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        for (int j = 0; j < grid.rows(); ++j)
+            for (const Node& node : corners(grid, i, j))
+                areas(node.i, node.j) += 0.25 * grid.dx() * grid.height(j);
+    return areas;
+}
+
 /// What a nodal field holds at the four corners of a cell.
 template <class Value>
 std::array<Value, 4> gather(const Lattice<Value>& field, const std::array<Node, 4>& nodes) {

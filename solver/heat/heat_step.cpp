@@ -166,16 +166,11 @@ void HeatStep::add_surface_flux(const NodeField& temperature, const SurfaceField
 }
 
 void HeatStep::add_source(const SurfaceField& surface, double time) {
-    for (int i = 0; i < grid_.cell_columns(); ++i)
-        for (int j = 0; j < grid_.rows(); ++j) {
-            const Cell cell(grid_, surface, i, j);
-            for (int corner = 0; corner < 4; ++corner) {
-                const Node node = corners(grid_, i, j)[size_t(corner)];
-                const double x = grid_.x(i + corner % 2);
-                const double y = surface[size_t(node.i)] + grid_.eta(node.j);
-                load_(node.i, node.j) += 0.25 * cell.area() * source_(x, y, time);
-            }
-        }
+    const NodeField areas = node_areas(grid_);
+    for (int i = 0; i < areas.columns(); ++i)
+        for (int j = 0; j < areas.rows(); ++j)
+            load_(i, j) +=
+                areas(i, j) * source_(grid_.x(i), surface[size_t(i)] + grid_.eta(j), time);
 }
 
 void HeatStep::add_flux_source(const SurfaceField& surface, double time) {

@@ -162,17 +162,12 @@ void Projection::add_traction(Balance& forces, const SurfaceField& surface) cons
 }
 
 void Projection::add_body_force(Balance& forces, const SurfaceField& surface, double time) const {
-    for (int i = 0; i < grid_.cell_columns(); ++i)
-        for (int j = 0; j < grid_.rows(); ++j) {
-            const double share = 0.25 * Cell(grid_, surface, i, j).area();
-            const auto nodes = corners(grid_, i, j);
-            for (int corner = 0; corner < 4; ++corner) {
-                const Node& node = nodes[size_t(corner)];
-                const double x = grid_.x(i + corner % 2);
-                const double y = surface[size_t(node.i)] + grid_.eta(node.j);
-                const Vector force = share * body_force_(x, y, time);
-                for (int c = 0; c < 2; ++c) forces.add(matrix_.unknown(node, c), force[c]);
-            }
+    const NodeField areas = node_areas(grid_);
+    for (int i = 0; i < areas.columns(); ++i)
+        for (int j = 0; j < areas.rows(); ++j) {
+            const double y = surface[size_t(i)] + grid_.eta(j);
+            const Vector force = areas(i, j) * body_force_(grid_.x(i), y, time);
+            for (int c = 0; c < 2; ++c) forces.add(matrix_.unknown({i, j}, c), force[c]);
         }
 }
 

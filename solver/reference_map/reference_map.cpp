@@ -27,12 +27,13 @@ Vector upwind(const At& at, double velocity) {
     return eno2(at(2) - at(1), at(1) - at(0), at(0) - at(-1));
 }
 
-/// The value in row j, extrapolated by a parabola above the surface and linearly below the bottom.
+/// The value in row j, extrapolated by a parabola above the surface and below the bottom: by a
+/// straight line, the row beside them would be first order and F in its cells would not converge.
 Vector in_column(const Grid& grid, const NodeVectors& values, int i, int j) {
     const int top = grid.rows();
     if (j > top + 1) return values(i, top);  // never upwind of anything
     if (j > top) return 3.0 * values(i, top) - 3.0 * values(i, top - 1) + values(i, top - 2);
-    if (j < 0) return 2.0 * values(i, 0) - values(i, 1);
+    if (j < 0) return 3.0 * values(i, 0) - 3.0 * values(i, 1) + values(i, 2);
     return values(i, j);
 }
 
