@@ -181,7 +181,8 @@ TEST(Scene, ReadsEveryWordOfNumerics) {
               "numerics.thermal_stress=alpha K", "numerics.heat_capacity=c_v",
               "numerics.surface_motion=burning with material", "numerics.strain_norm=largest",
               "numerics.viscous_time=0.5 ms", "surface.traction=vertical", "bottom.support=clamped",
-              "time.until_steady=1e-6", "output.history_every=10", "domain.half=true"});
+              "time.until_steady=1e-6", "time.scheme=bdf2", "output.history_every=10",
+              "domain.half=true"});
     EXPECT_EQ(scene.numerics.element, Element::q1);
     EXPECT_EQ(scene.numerics.solver, LinearSolver::pcg);
     EXPECT_EQ(scene.numerics.solver_tolerance, 1e-6);
@@ -196,6 +197,7 @@ TEST(Scene, ReadsEveryWordOfNumerics) {
     EXPECT_EQ(scene.surface.traction, Traction::vertical);
     EXPECT_EQ(scene.bottom.support, Support::clamped);
     EXPECT_EQ(scene.time.until_steady, 1e-6);
+    EXPECT_EQ(scene.time.scheme, Stepping::bdf2);
     EXPECT_EQ(scene.output.history_every, 10);
     EXPECT_TRUE(scene.domain.half);
 }
