@@ -3,9 +3,10 @@
 /// Nothing here is compared with a solution. What has come in through the surface must be found
 /// again, whatever the fields look like:
 ///
-///     heat    stored = flux in - carried off by the regressing surface - carried by v - stress
-///     work mass    rho times the area swept by the surface = rho r_b integrated over surface and
-///     time force   every row of cells carries p_c times the width
+/// - heat: what is stored is the flux that came in, less what the regressing surface carries off,
+///   less what v carries, less the stress work;
+/// - mass: rho times the area that the surface sweeps is rho r_b, summed over surface and time;
+/// - force: every row of cells carries p_c times the width.
 ///
 /// Each is summed up here from the fields of successive steps, by cases/catalogue/balance.hpp,
 /// with a quadrature and a table of materials of its own. That closes as follows.
