@@ -58,15 +58,6 @@ private:
     const Grid& grid_;
 };
 
-std::vector<double> areas(const Grid& grid) {
-    NodeField area(grid.node_columns(), grid.rows() + 1);
-    for (int i = 0; i < grid.cell_columns(); ++i)
-        for (int j = 0; j < grid.rows(); ++j)
-            for (const Node& node : corners(grid, i, j))
-                area(node.i, node.j) += 0.25 * grid.dx() * grid.height(j);
-    return area.values();
-}
-
 }  // namespace
 
 Scene heated_block(const Material& material, int cells, double clustering) {
@@ -157,7 +148,8 @@ FoundHeat advance(const PrescribedHeat& heat, int steps) {
             temperature_rate = rate;
         }
     }
-    return {temperature.values(), prescribed.temperature(scene.time.end).values(), areas(grid)};
+    return {temperature.values(), prescribed.temperature(scene.time.end).values(),
+            node_areas(grid).values()};
 }
 
 reports::Measurement error_of_temperature(const FoundHeat& found, double h) {
