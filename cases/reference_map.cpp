@@ -9,9 +9,6 @@
 ///   rate that the discretisation gives, without any error in time. ENO2 takes the flatter of two
 ///   second-order stencils: two in Linf as well as L1. Row 1 has no second row below it, so it
 ///   takes the first-order difference there, but it is a single row and costs L1 nothing.
-/// - `deformation_gradient` of the exact shift. Bilinear cells hold a linear map exactly, on any
-///   slope: F of rotation and shear to round-off. A curved map: two at cell centres. F of a shear
-///   tells F from its transpose and from its inverse, and E from (F F^T - I)/2.
 /// - Evolved in time. A turning body in steps of Euler on a grid that holds it exactly: order one,
 ///   and E, which should stay zero, becomes -theta^2/(2 n) I. Read where neither the held bottom
 ///   nor the sides have reached: two nodes a step. The uniaxial flow, which leaves the bottom
@@ -20,11 +17,9 @@
 #include "solver/reference_map/reference_map.hpp"
 
 #include <Eigen/LU>
-#include <cmath>
-#include <numbers>
 
 #include "cases/catalogue/comparison.hpp"
-#include "cases/catalogue/prescribed_motion.hpp"
+#include "cases/catalogue/followed_motion.hpp"
 #include "cases/catalogue/registry.hpp"
 #include "cases/catalogue/terms.hpp"
 #include "cases/catalogue/units.hpp"
@@ -35,88 +30,25 @@ namespace crawford {
 namespace {
 
 using namespace units;
+using namespace wavy_square;
 using Eigen::Matrix2d;
 using reports::between;
 using reports::expect;
 using reports::Norm;
 
-constexpr double width = 240.0 * um;
-constexpr double burn_rate = 4.5e-3 * m / s;
-constexpr double wave_number = 2.0 * std::numbers::pi / width;
-
 constexpr auto rate = "rate of xi - x";
 constexpr auto rate_above = "rate of xi - x above row 1";
-constexpr auto worst_f = "F, worst entry - exact";
-constexpr auto worst_e = "E, worst entry - exact";
 constexpr auto drift_11 = "n E_11/theta^2";
 constexpr auto drift_12 = "n E_12/theta^2";
 
-/// What the studies need to know of a motion, at the time they look at it.
-struct Followed {
-    std::function<Vector(Vector x)> velocity;
-    std::function<Vector(Vector x)> origin;      ///< xi
-    std::function<Matrix2d(Vector x)> gradient;  ///< F
-    std::function<Matrix2d(Vector x)> strain;    ///< E
-};
-
-template <class Exact>
-Followed followed(const Exact& exact, double t) {
-    return {.velocity = [=](const Vector& x) { return exact.velocity(x); },
-            .origin = [=](const Vector& x) { return exact.origin(x, t); },
-            .gradient =
-                [=](const Vector& x) {
-                    if constexpr (requires { exact.deformation_gradient(x, t); })
-                        return exact.deformation_gradient(x, t);
-                    else
-                        return exact.deformation_gradient(t);
-                },
-            .strain = [=](const Vector& x) -> Matrix2d {
-                if constexpr (requires { exact.strain(x, t); })
-                    return exact.strain(x, t);
-                else if constexpr (requires { exact.strain(t); })
-                    return exact.strain(t);
-                else
-                    return Matrix2d::Zero();
-            }};
-}
-
-double surface(double x) {
-    return 0.05 * width * std::cos(wave_number * x);
-}
-
-double surface_rate(double x) {
-    return -burn_rate * (1.0 + 0.3 * std::sin(wave_number * x));
-}
-
-/// The curved, clustered, moving grid.
-PrescribedMotion body(const Followed& motion, int cells) {
-    return {{.width = width, .depth = width, .nx = cells, .ny = cells, .clustering = 1.0},
-            {.surface = surface, .surface_rate = surface_rate, .velocity = motion.velocity}};
-}
-
-NodeVectors shift_of(const PrescribedMotion& body, const Followed& motion) {
-    NodeVectors shift(body.grid().node_columns(), body.grid().rows() + 1);
-    for (int i = 0; i < shift.columns(); ++i)
-        for (int j = 0; j < shift.rows(); ++j) {
-            const Vector x = body.node(i, j);
-            shift(i, j) = motion.origin(x) - x;
-        }
-    return shift;
-}
-
 /// d(shift)/dt at a point that rides with the grid: xi_t + phi_t (d(xi)/dy - e_y), xi_t = -v(xi).
-Vector exact_rate(const Followed& motion, const Vector& x) {
+Vector exact_rate(const FollowedMotion& motion, const Vector& x) {
     const Matrix2d gradient_of_origin = motion.gradient(x).inverse();
     return -motion.velocity(motion.origin(x)) +
            surface_rate(x.x()) * (gradient_of_origin.col(1) - Vector::UnitY());
 }
 
-/// A rotation and a shear are not periodic: what stencils beyond the sides read is left out.
-bool is_inside(const Vector& x) {
-    return std::abs(x.x()) < 0.4 * width;
-}
-
-reports::Measurement one_step(const Followed& motion, int cells) {
+reports::Measurement one_step(const FollowedMotion& motion, int cells) {
     const PrescribedMotion exact = body(motion, cells);
     const Grid& grid = exact.grid();
     const NodeVectors before = shift_of(exact, motion);
@@ -139,29 +71,6 @@ reports::Measurement one_step(const Followed& motion, int cells) {
     return result;
 }
 
-/// F and E of every cell, and how far the worst entries are from the truth.
-void report_gradients(const PrescribedMotion& body, const NodeVectors& shift,
-                      const Followed& motion, reports::Measurement& to) {
-    const auto found = deformation_gradient(body.grid(), body.surface(), shift);
-    Comparison f, e;
-    for (const CellPoint& at : body.centres()) {
-        if (!is_inside(at.x)) continue;
-        f.add(found(at.i, at.j), motion.gradient(at.x), at.weight);
-        e.add(green_strain(found(at.i, at.j)), motion.strain(at.x), at.weight);
-    }
-    f.report("F", to);
-    e.report("E", to);
-    to.value(worst_f, reports::distance(Norm::Linf, f.found, f.exact))
-        .value(worst_e, reports::distance(Norm::Linf, e.found, e.exact));
-}
-
-reports::Measurement gradients(const Followed& motion, int cells) {
-    const PrescribedMotion exact = body(motion, cells);
-    reports::Measurement result(1.0 / cells);
-    report_gradients(exact, shift_of(exact, motion), motion, result);
-    return result;
-}
-
 /// A body that turns by theta, compared in the few cells that neither the bottom nor the sides have
 /// reached in the largest number of steps.
 reports::Measurement turn(int steps) {
@@ -170,7 +79,7 @@ reports::Measurement turn(int steps) {
     constexpr int core = 4;
     constexpr int cells = 2 * (2 * most_steps + core);
     const reference::RigidRotation rotation(theta / s, {0.0, -0.5 * width});
-    const Followed truth = followed(rotation, 1.0 * s);
+    const FollowedMotion truth = followed(rotation, 1.0 * s);
     const PrescribedMotion body(
         {.width = width, .depth = width, .nx = cells, .ny = cells, .clustering = 0.0},
         {.velocity = truth.velocity});
@@ -196,7 +105,8 @@ reports::Measurement turn(int steps) {
 /// A column that stretches for as long as its material needs to rise by a quarter of its depth.
 reports::Measurement stretch(int cells) {
     const double end = 0.5 * width / burn_rate;
-    const Followed truth = followed(reference::UniaxialFlow(0.5 * burn_rate, -width, width), end);
+    const FollowedMotion truth =
+        followed(reference::UniaxialFlow(0.5 * burn_rate, -width, width), end);
     const PrescribedMotion body(
         {.width = width, .depth = width, .nx = 1, .ny = cells, .clustering = 1.0},
         {.velocity = truth.velocity});
@@ -216,7 +126,7 @@ reports::Measurement stretch(int cells) {
     return result;
 }
 
-reports::Study step_study(const std::string& name, const Followed& motion) {
+reports::Study step_study(const std::string& name, const FollowedMotion& motion) {
     reports::Study study("reference-map, one step, " + name);
     study.grids({32, 64, 128, 256})
         .measure([motion](int cells) { return one_step(motion, cells); })
@@ -224,27 +134,6 @@ reports::Study step_study(const std::string& name, const Followed& motion) {
         .gate(rate, Norm::L1, expect(2.0).within(0.15), "ENO2; one row at the bottom of order 1")
         .gate(rate_above, Norm::Linf, expect(2.0).within(0.2, 0.1).from(64),
               "ENO2 in every other row; at the bottom clustering nears its two from below");
-    return study;
-}
-
-reports::Study linear_map(const std::string& name, const Followed& motion) {
-    reports::Study study("reference-map, F, " + name);
-    study.grids({64})
-        .measure([motion](int cells) { return gradients(motion, cells); })
-        .covers({term::deformation, term::slope, term::clustering});
-    for (const auto* worst : {worst_f, worst_e})
-        study.bound(worst, 64, between(0.0, 1e-12),
-                    "bilinear cells hold a linear map: round-off of differences over a cell");
-    return study;
-}
-
-reports::Study curved_map(const std::string& name, const Followed& motion) {
-    reports::Study study("reference-map, F, " + name);
-    study.grids({32, 64, 128, 256})
-        .measure([motion](int cells) { return gradients(motion, cells); })
-        .covers({term::deformation, term::slope, term::clustering});
-    for (const auto* quantity : {"F", "E"})
-        study.gate(quantity, Norm::L2, expect(2.0).within(0.05), "centred differences at centres");
     return study;
 }
 
@@ -286,10 +175,6 @@ std::vector<reports::Study> studies() {
             step_study("wavy shear drifting right", wavy(0.7 * burn_rate)),
             step_study("wavy shear drifting left", wavy(-0.7 * burn_rate)),
             step_study("uniaxial flow", flow),
-            linear_map("rotation", rotation),
-            linear_map("simple shear", shear),
-            curved_map("wavy shear", wavy(0.7 * burn_rate)),
-            curved_map("uniaxial flow", flow),
             turning(),
             stretching()};
 }

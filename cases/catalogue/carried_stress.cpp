@@ -117,4 +117,15 @@ double StressRates::fastest_in_first_row() const {
     return fastest;
 }
 
+reports::Measurement measure_rates(const CarriedSetup& setup, int cells) {
+    const PrescribedMotion body(setup.domain(cells), setup.motion, setup.element);
+    const CarriedStress truth(setup.profile);
+    const StressRates rates(body, truth, setup.motion);
+    reports::Measurement result(1.0 / cells);
+    rates.at_points().report(carried::points, result);
+    rates.mean_of_cells().report(carried::mean, result);
+    rates.pressure().report(carried::pressure, result);
+    return result.value(carried::first_row, rates.fastest_in_first_row());
+}
+
 }  // namespace crawford

@@ -54,4 +54,23 @@ private:
     StressField before_, after_;
 };
 
+/// What measure_rates reports: errors, and one number.
+namespace carried {
+inline constexpr auto points = "deviator at its points";
+inline constexpr auto mean = "deviator, mean of a cell";
+inline constexpr auto pressure = "pressure";
+inline constexpr auto first_row = "fastest change in the first row [Pa/s]";
+}  // namespace carried
+
+/// A profile, the motion that carries it and the grid on which.
+struct CarriedSetup {
+    std::function<Domain(int cells)> domain;
+    Motion motion;
+    reference::ProfileShape profile;
+    Element element = Element::bbar;
+};
+
+/// The errors of the rates of one step, on `cells` cells.
+reports::Measurement measure_rates(const CarriedSetup& setup, int cells);
+
 }  // namespace crawford
