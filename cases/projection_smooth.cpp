@@ -17,9 +17,9 @@
 /// its slope; half, the planes of symmetry; pressed, waves made so that the gas pressure alone is
 /// their traction, in both readings of it.
 ///
-/// On rollers one node holds the body sideways. Whatever of the loads' sum their quadrature misses
-/// becomes a point force there, and the velocity at a point force is infinite: v falls at 1.8 to
-/// 1.9. Waves that are symmetric have no such sum; only there the order is that of the projection.
+/// On rollers a single node holds the body sideways, and nothing else stops an error of the shear
+/// from moving the whole of it: v is off by as much as a third on 32 rows, of which the lowest is
+/// 0.13 of the depth high, and its order comes up to 2 from below (1.79, 1.92, 1.97).
 
 #include <array>
 #include <cmath>
@@ -41,9 +41,11 @@ using reference::ManufacturedElasticity;
 using reference::PressedWaves;
 using reference::RollingWaves;
 using reference::WavyBody;
+using reports::at_most;
 using reports::expect;
 using reports::Norm;
 
+constexpr auto imbalance = "|div sigma + b| after the step, relative";
 constexpr double pressure = 2.0 * MPa;
 constexpr ElasticModuli moduli{.bulk = 30.0 * MPa, .shear = 10.0 * MPa};
 constexpr double amplitude = 4.0 * um;
@@ -101,6 +103,7 @@ reports::Measurement measure(const Chosen& chosen, Element element, int cells) {
         scene(chosen, element, cells), [&](double x) { return chosen.body.surface(x); }, sources);
 
     reports::Measurement result(1.0 / cells);
+    result.value(imbalance, step.residual());
     step.compare_displacement(
         "v", [&](double x, double y) { return truth.displacement(x, y); }, result);
     step.compare_stress(
@@ -144,13 +147,16 @@ reports::Study below_waves(const std::string& name, const Chosen& chosen,
     for (const auto component : components)
         study.gate(component, Norm::L2, second,
                    "gradient at a cell centre; heights and slopes change by h from cell to cell");
+    if (element == Element::bbar)
+        study.bound(imbalance, 64, at_most(1e-12),
+                    "B-bar carries its stress where it integrates it: round-off, 1e-15 to 3e-15");
     return study;
 }
 
 std::vector<reports::Study> studies() {
     const Chosen clamped{.body = wavy, .truth = {ClampedWaves{wavy, amplitude}, moduli}};
-    const Chosen rolling{.body = symmetric,
-                         .truth = {RollingWaves{symmetric, moduli, amplitude, pressure}, moduli},
+    const Chosen rolling{.body = wavy,
+                         .truth = {RollingWaves{wavy, moduli, amplitude, pressure}, moduli},
                          .support = Support::roller,
                          .pressure = pressure};
     const Chosen half{

@@ -40,9 +40,10 @@ ElasticStep::ElasticStep(const Scene& scene, const std::function<double(double x
     // In a step of 1 s the velocity is the displacement.
     constexpr double start = 0.0;
     constexpr double dt = 1.0;
-    Projection(scene, grid_, materials, checkerboard, sources)
-        .solve(stress_, surface_, start + dt, dt, displacement_);
+    Projection projection(scene, grid_, materials, checkerboard, sources);
+    projection.solve(stress_, surface_, start + dt, dt, displacement_);
     StressStep(scene, grid_, materials, checkerboard).correct(stress_, surface_, displacement_, dt);
+    residual_ = projection.residual(stress_, displacement_, surface_, start + dt);
 }
 
 void ElasticStep::compare_displacement(const std::string& quantity, const Displacement& exact,

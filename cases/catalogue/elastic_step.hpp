@@ -25,7 +25,7 @@ public:
     using Stress = std::function<PlaneStress(double x, double y)>;   ///< [Pa]
     using Where = std::function<bool(double x, double y)>;
 
-    /// Errors of "u" and "v" together at the nodes of `where`, weighted by area.
+    /// Errors of u and v together, at the nodes of `where`, weighted by area.
     void compare_displacement(const std::string& quantity, const Displacement& exact,
                               reports::Measurement& to, const Where& where = everywhere) const;
 
@@ -33,6 +33,9 @@ public:
     /// each: "sigma_11" + suffix, ...; "stress" + suffix for all four components together.
     void compare_stress(const std::string& suffix, const Stress& exact, reports::Measurement& to,
                         const Where& where = everywhere) const;
+
+    /// |div sigma + b| of the stress carried, relative to what should cancel.
+    double residual() const { return residual_; }
 
     static bool everywhere(double, double) { return true; }
 
@@ -43,6 +46,7 @@ private:
     SurfaceField surface_;
     NodeVectors displacement_;
     StressField stress_;
+    double residual_;
 };
 
 }  // namespace crawford
