@@ -70,17 +70,4 @@ std::filesystem::path draw_convergence(const std::string& name, const std::files
     return figure.draw().front();
 }
 
-std::vector<ConvergenceCurve> curves_of(const std::vector<GateResult>& results) {
-    std::vector<ConvergenceCurve> curves;
-    for (const auto& r : results) {
-        if (r.kind != GateKind::order || r.grids.empty()) continue;
-        std::vector<Level> levels;
-        for (std::size_t i = 0; i < r.grids.size(); ++i)
-            levels.push_back({r.grids[i], r.h[i], r.errors[i]});
-        curves.push_back({fmt::format("{}, {}: {:.2f}", r.quantity, r.norm, r.fit),
-                          Convergence(std::move(levels), r.scale), r.expected});
-    }
-    return curves;
-}
-
 }  // namespace crawford::reports

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/figure.hpp"
-#include "reports/gate.hpp"
+#include "reports/order.hpp"
 
 namespace crawford::reports {
 
@@ -30,8 +30,5 @@ std::filesystem::path draw_convergence(const std::string& name, const std::files
                                        const std::string& heading,
                                        const std::vector<ConvergenceCurve>& curves,
                                        const Caption& caption, const ConvergenceAxes& axes = {});
-
-/// The curves of all order gates among `results`, labelled "quantity, norm: fit".
-std::vector<ConvergenceCurve> curves_of(const std::vector<GateResult>& results);
 
 }  // namespace crawford::reports

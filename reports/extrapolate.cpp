@@ -58,6 +58,8 @@ Extrapolation extrapolate(std::span<const double> h, std::span<const double> val
     }
     limit.order = std::clamp(limit.observed, lowest_order, std::max(lowest_order, formal_order));
     limit.safety = std::abs(limit.observed - formal_order) <= 0.1 * formal_order ? 1.25 : 3.0;
+    const bool swings = (u[0] - u[1]) * (u[1] - u[2]) < 0.0;
+    if (swings) limit.safety = 3.0;
     const double gain = std::pow(sizes[1] / sizes[2], limit.order) - 1.0;
     limit.value = u[2] + (u[2] - u[1]) / gain;
     limit.uncertainty = limit.safety * std::abs(u[2] - u[1]) / gain;

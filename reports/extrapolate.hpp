@@ -11,7 +11,8 @@ struct Extrapolation {
                          ///< same unit
     double observed;     ///< Order observed on the three finest grids, from successive differences
     double order;        ///< Order used: the observed one clamped to [0.5, formal]
-    double safety;       ///< 1.25 if the observed order is within 10 % of formal, else 3
+    double safety;       ///< 1.25 if the observed order is within 10 % of formal and the values go
+                         ///< one way, else 3
 };
 
 /// Richardson extrapolation and grid convergence index (Roache) from the three finest grids; any

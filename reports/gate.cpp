@@ -113,7 +113,8 @@ Interval at_least(double low) {
     return {low, infinity};
 }
 
-GateResult judge(const Gate& gate, const Convergence& convergence, const std::vector<int>& wanted) {
+GateResult judge(const Gate& gate, const Convergence& convergence, const std::vector<int>& wanted,
+                 const std::vector<int>& left_out) {
     GateResult result;
     result.quantity = gate.quantity;
     result.norm = name(gate.norm);
@@ -122,10 +123,15 @@ GateResult judge(const Gate& gate, const Convergence& convergence, const std::ve
     result.below = gate.expected.below;
     result.above = gate.expected.above;
     auto needed = wanted;
-    if (gate.expected.coarsest) needed.push_back(*gate.expected.coarsest);
-    if (gate.expected.finest) needed.push_back(*gate.expected.finest);
-    if (!needed.empty()) {
-        const auto [low, high] = std::ranges::minmax(needed);
+    auto extent = wanted;  // of the fit, where the gate does not say
+    extent.insert(extent.end(), left_out.begin(), left_out.end());
+    for (const auto& named : {gate.expected.coarsest, gate.expected.finest}) {
+        if (!named) continue;
+        extent.push_back(*named);
+        if (left_out.empty()) needed.push_back(*named);
+    }
+    if (!extent.empty()) {
+        const auto [low, high] = std::ranges::minmax(extent);
         result.coarsest = gate.expected.coarsest.value_or(low);
         result.finest = gate.expected.finest.value_or(high);
     }
@@ -140,10 +146,20 @@ GateResult judge(const Gate& gate, const Convergence& convergence, const std::ve
     if (gate.reason.empty()) result.failure = "the gate gives no reason for its bound";
     if (result.failure.empty()) result.failure = missing_grids(convergence, needed);
     if (result.failure.empty()) result.failure = not_a_number(convergence);
+    if (result.failure.empty() && !left_out.empty()) {
+        leave_ungated(result, left_out);
+        return result;
+    }
     if (result.failure.empty())
         result.failure = defect ? *defect : short_of(gate, verdict, result.fit);
     result.passed = result.failure.empty();
     return result;
+}
+
+void leave_ungated(GateResult& result, const std::vector<int>& left_out) {
+    result.gated = result.passed = false;
+    result.verdict = "too few grids to gate";
+    result.failure = fmt::format("too few grids to gate: {} not run", fmt::join(left_out, ", "));
 }
 
 GateResult judge(const Bound& bound, double value) {
@@ -154,14 +170,16 @@ GateResult judge(const Bound& bound, double value) {
     result.value = value;
     result.low = bound.allowed.low;
     result.high = bound.allowed.high;
+    const bool inside = value >= result.low && value <= result.high;
     if (bound.reason.empty())
         result.failure = "the bound gives no reason";
     else if (!std::isfinite(value))
         result.failure = fmt::format("value is {}", value);
-    else if (!(value >= result.low && value <= result.high))
+    else if (!inside)
         result.failure =
             fmt::format("{:.6g} is outside [{:.6g}, {:.6g}]", value, result.low, result.high);
     result.passed = result.failure.empty();
+    result.verdict = std::isnan(value) ? "none" : inside ? "within bounds" : "out of bounds";
     return result;
 }
 

@@ -71,6 +71,7 @@ struct GateResult {
     std::vector<double> h,
         errors;  ///< One per grid (or per pair of grids, where the errors are differences)
     std::vector<double> pairwise;  ///< One fewer
+    std::vector<double> values;    ///< Bounds: the value on each grid, instead of errors
     double scale = 1.0;            ///< Size of the truth in the norm
     int coarsest = 0, finest = 0;  ///< Range of the fit
     double fit = not_applicable, expected = not_applicable, below = not_applicable,
@@ -82,15 +83,24 @@ struct GateResult {
     double value = not_applicable, low = not_applicable, high = not_applicable;  ///< Bounds only
 
     bool passed = false;
-    std::string failure;   ///< Why not; empty if passed
+    bool gated = true;    ///< False: grids were left out on purpose, so it neither passes nor fails
+    std::string failure;  ///< Why it has not passed; empty if it has
     double seconds = 0.0;  ///< Wall time of the runs behind it
+
+    bool fell_short() const { return gated && !passed; }
 };
 
 /// Holds a convergence against a gate. `wanted` are the grids that were asked for: one without an
 /// error is a failure. Passes only if no defect, verdict monotone, fit within tolerance.
-GateResult judge(const Gate& gate, const Convergence& convergence, const std::vector<int>& wanted);
+/// `left_out` are grids of the gate that were not asked for: if there are any it is not gated, but
+/// what has gone wrong on the others (no error, NaN) still makes it fail.
+GateResult judge(const Gate& gate, const Convergence& convergence, const std::vector<int>& wanted,
+                 const std::vector<int>& left_out = {});
 
 /// Holds a number against a bound; NaN fails.
 GateResult judge(const Bound& bound, double value);
+
+/// Takes the judgement back, because the grids `left_out` were not asked for.
+void leave_ungated(GateResult& result, const std::vector<int>& left_out);
 
 }  // namespace crawford::reports

@@ -1,11 +1,11 @@
 #include "reports/grid_runs.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <exception>
 #include <future>
 #include <mutex>
+#include <numeric>
 #include <thread>
 
 namespace crawford::reports {
@@ -13,49 +13,82 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-GridRun run_one(const Measure& measure, int grid) {
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+GridRun run_one(const GridJob& job) {
     const auto start = Clock::now();
-    GridRun run{grid, {}, {}, 0.0};
+    GridRun run{job.grid, {}, {}, 0.0};
     try {
-        run.measurement = measure(grid);
+        run.measurement = job.study->measure()(job.grid);
     } catch (const std::exception& problem) {
         run.failure = problem.what();
     } catch (...) {
         run.failure = "unknown exception";
     }
-    run.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    run.seconds = seconds_since(start);
     return run;
 }
 
+/// What is left to do, handed out one by one to whoever asks.
+class Queue {
+public:
+    Queue(const std::vector<GridJob>& jobs, const OnProgress& on_progress)
+        : jobs_(jobs), on_progress_(on_progress), order_(jobs.size()), runs_(jobs.size()) {
+        std::iota(order_.begin(), order_.end(), 0U);
+        std::ranges::stable_sort(order_, std::greater{}, [&](size_t i) { return jobs[i].cost; });
+        for (const auto& job : jobs) cost_to_go_ += job.cost;
+    }
+
+    void work() {
+        for (auto mine = take(); mine; mine = take()) {
+            auto run = run_one(jobs_[*mine]);
+            put(*mine, std::move(run));
+        }
+    }
+
+    std::vector<GridRun> runs() && { return std::move(runs_); }
+
+private:
+    std::optional<size_t> take() {
+        const std::scoped_lock lock(mutex_);
+        if (next_ == order_.size()) return {};
+        return order_[next_++];
+    }
+
+    void put(size_t i, GridRun run) {
+        const std::scoped_lock lock(mutex_);
+        runs_[i] = std::move(run);
+        ++done_;
+        cost_done_ += jobs_[i].cost;
+        cost_to_go_ -= jobs_[i].cost;
+        if (!on_progress_) return;
+        const double pace = cost_done_ > 0.0 ? seconds_since(started_) / cost_done_ : 0.0;
+        on_progress_({jobs_[i].study->name(), jobs_[i].grid, runs_[i].seconds, done_, jobs_.size(),
+                      runs_[i].failure, pace * std::max(0.0, cost_to_go_)});
+    }
+
+    const std::vector<GridJob>& jobs_;
+    const OnProgress& on_progress_;
+    std::vector<size_t> order_;
+    std::vector<GridRun> runs_;
+    std::mutex mutex_;
+    size_t next_ = 0, done_ = 0;
+    double cost_done_ = 0.0, cost_to_go_ = 0.0;
+    Clock::time_point started_ = Clock::now();
+};
+
 }  // namespace
 
-std::vector<GridRun> run_grids(const Study& study, std::vector<int> grids,
-                               const OnProgress& on_progress) {
-    std::ranges::sort(grids);
-    grids.erase(std::unique(grids.begin(), grids.end()), grids.end());
-
-    std::vector<GridRun> runs(grids.size());
-    std::atomic<std::size_t> next = 0;
-    std::size_t done = 0;
-    std::mutex reporting;
-    const auto work = [&] {
-        for (std::size_t taken = next++; taken < grids.size(); taken = next++) {
-            const std::size_t i = grids.size() - 1 - taken;
-            runs[i] = run_one(study.measure(), grids[i]);
-            const std::scoped_lock lock(reporting);
-            ++done;
-            if (on_progress)
-                on_progress(
-                    {study.name(), grids[i], runs[i].seconds, done, grids.size(), runs[i].failure});
-        }
-    };
-
-    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+std::vector<GridRun> run_grids(const std::vector<GridJob>& jobs, const OnProgress& on_progress) {
+    Queue queue(jobs, on_progress);
+    const size_t cores = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::future<void>> workers;
-    for (std::size_t i = 0; i < std::min(threads, grids.size()); ++i)
-        workers.push_back(std::async(std::launch::async, work));
+    for (size_t i = 0; i < std::min(cores, jobs.size()); ++i)
+        workers.push_back(std::async(std::launch::async, [&] { queue.work(); }));
     for (auto& worker : workers) worker.get();
-    return runs;
+    return std::move(queue).runs();
 }
 
 }  // namespace crawford::reports

@@ -8,6 +8,13 @@
 
 namespace crawford::reports {
 
+/// One grid of one study, to be run.
+struct GridJob {
+    const Study* study;
+    int grid;
+    double cost;  ///< Expected seconds, or any measure that is the same for all jobs
+};
+
 /// The run of one grid: a measurement, or why there is none.
 struct GridRun {
     int grid;
@@ -16,9 +23,9 @@ struct GridRun {
     double seconds;
 };
 
-/// Runs every grid once, the largest first so that it does not wait for the small ones, on at most
-/// as many threads as the machine has. Returned in ascending order of grid.
-std::vector<GridRun> run_grids(const Study& study, std::vector<int> grids,
-                               const OnProgress& on_progress);
+/// Runs every job once, the dearest first so that it does not wait for the cheap ones, on as many
+/// threads as the machine has cores. One queue feeds them all: a study does not keep a core to
+/// itself. Returned in the order of `jobs`.
+std::vector<GridRun> run_grids(const std::vector<GridJob>& jobs, const OnProgress& on_progress);
 
 }  // namespace crawford::reports

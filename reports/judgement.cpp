@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <sstream>
-
-#include "reports/atomic_file.hpp"
 
 namespace crawford::reports {
 namespace {
@@ -58,7 +55,9 @@ std::string numbers(const GateResult& r) {
         const std::size_t to = from + grids_per_line;
         text += row("grid", cells(r.grids, from, to, "{}"));
         text += row("h", cells(r.h, from, to, "{:.3e}"));
-        text += row("error", cells(r.errors, from, to, "{:.3e}"));
+        text += r.values.empty() ? row("error", cells(r.errors, from, to, "{:.3e}"))
+                                 : row("value", cells(r.values, from, to, "{:.3e}"));
+        if (r.pairwise.empty()) continue;
         auto orders = cells(r.pairwise, from == 0 ? 0 : from - 1, to - 1, "{:.3f}");
         if (from == 0) orders.insert(orders.begin(), "");
         text += row("order", orders);
@@ -66,8 +65,8 @@ std::string numbers(const GateResult& r) {
     return text;
 }
 
-std::string headline(const std::string& what, bool passed) {
-    const std::string mark = passed ? "pass" : "FAIL";
+std::string headline(const std::string& what, const GateResult& r) {
+    const std::string mark = r.passed ? "pass" : r.gated ? "FAIL" : "----";
     const std::size_t room = width - mark.size() - 1;
     if (what.size() > room) return wrapped(what + ' ' + mark, "  ");
     return fmt::format("{:<{}} {}\n", what, room, mark);
@@ -83,7 +82,7 @@ std::string of_order(const GateResult& r) {
     auto text =
         headline(fmt::format("  {}, {}: order {:.3g} {}, grids {} to {}", r.quantity, r.norm,
                              r.expected, tolerance(r.below, r.above), r.coarsest, r.finest),
-                 r.passed);
+                 r);
     text += numbers(r);
     text += fmt::format("    fit {:.3f}, {}", r.fit, r.verdict);
     if (!std::isnan(r.limit.value))
@@ -93,9 +92,9 @@ std::string of_order(const GateResult& r) {
 }
 
 std::string of_bound(const GateResult& r) {
+    const auto value = r.gated ? fmt::format(" = {:.6g}", r.value) : "";
     auto text = headline(
-        fmt::format("  {} = {:.6g}, allowed {:.6g} to {:.6g}", r.quantity, r.value, r.low, r.high),
-        r.passed);
+        fmt::format("  {}{}, allowed {:.6g} to {:.6g}", r.quantity, value, r.low, r.high), r);
     if (!r.grids.empty()) text += numbers(r);
     if (!std::isnan(r.limit.value))
         text += fmt::format("    at h -> 0: {:.8g}, grid uncertainty {:.2e} (x {}), order {:.3f}\n",
@@ -103,58 +102,7 @@ std::string of_bound(const GateResult& r) {
     return text;
 }
 
-std::string summary(const std::vector<GateResult>& results) {
-    const auto passed = std::ranges::count_if(results, &GateResult::passed);
-    if (results.empty()) return "no gates: nothing is shown\n";
-    return fmt::format("{} of {} gates pass\n", passed, results.size());
-}
-
 }  // namespace
-
-void to_json(nlohmann::json& json, const GateResult& r) {
-    json = {{"kind", r.kind == GateKind::order ? "order" : "bound"},
-            {"study", r.study},
-            {"quantity", r.quantity},
-            {"norm", r.norm},
-            {"reason", r.reason},
-            {"grids", r.grids},
-            {"h", r.h},
-            {"errors", r.errors},
-            {"pairwise", r.pairwise},
-            {"scale", r.scale},
-            {"coarsest", r.coarsest},
-            {"finest", r.finest},
-            {"fit", r.fit},
-            {"expected", r.expected},
-            {"below", r.below},
-            {"above", r.above},
-            {"limit",
-             {{"value", r.limit.value},
-              {"uncertainty", r.limit.uncertainty},
-              {"observed_order", r.limit.observed},
-              {"order", r.limit.order},
-              {"safety", r.limit.safety}}},
-            {"verdict", r.verdict},
-            {"value", r.value},
-            {"low", r.low},
-            {"high", r.high},
-            {"passed", r.passed},
-            {"failure", r.failure},
-            {"seconds", r.seconds}};
-}
-
-void write_json(const std::filesystem::path& file, const std::vector<GateResult>& results,
-                const nlohmann::json& heading) {
-    nlohmann::json document = heading;
-    document["passed"] = all_passed(results);
-    document["gates"] = results;
-    write_atomically(file,
-                     document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
-}
-
-void write_json(const std::filesystem::path& file, const std::vector<GateResult>& results) {
-    write_json(file, results, nlohmann::json::object());
-}
 
 std::string table(const std::vector<GateResult>& results) {
     std::string text, study;
@@ -164,9 +112,26 @@ std::string table(const std::vector<GateResult>& results) {
         text += result.kind == GateKind::order ? of_order(result) : of_bound(result);
         text +=
             wrapped(fmt::format("because {} ({:.1f} s)", result.reason, result.seconds), "    ");
-        if (!result.passed) text += wrapped("FAIL: " + result.failure, "    ");
+        if (!result.passed)
+            text += wrapped((result.gated ? "FAIL: " : "") + result.failure, "    ");
     }
-    return text + summary(results);
+    return text;
+}
+
+Count count(const std::vector<GateResult>& results) {
+    Count count;
+    for (const auto& result : results)
+        ++(result.passed ? count.passed : result.gated ? count.failed : count.not_gated);
+    return count;
+}
+
+std::string text(const Count& count) {
+    if (count.all() == 0) return "no gates: nothing is shown";
+    if (count.not_gated == 0 && count.failed == 0)
+        return fmt::format("{} of {} gates pass", count.passed, count.all());
+    auto line = fmt::format("{} pass, {} fail", count.passed, count.failed);
+    if (count.not_gated > 0) line += fmt::format(", {} not gated: too few grids", count.not_gated);
+    return line;
 }
 
 bool all_passed(const std::vector<GateResult>& results) {

@@ -1,28 +1,27 @@
 #pragma once
 
-#include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "reports/gate.hpp"
 
-/// Gate results as a file for programs and as text for people.
+/// Gate results as text for people.
 namespace crawford::reports {
 
-/// Every member of the result under its own name; NaN and infinity are null.
-void to_json(nlohmann::json& json, const GateResult& result);
-
-/// Writes {"passed": all of them (and at least one), "gates": [...]}, plus the members of `heading`
-/// (version, revision, machine), atomically.
-/// \throws std::filesystem::filesystem_error naming the file.
-void write_json(const std::filesystem::path& file, const std::vector<GateResult>& results,
-                const nlohmann::json& heading);
-void write_json(const std::filesystem::path& file, const std::vector<GateResult>& results);
-
 /// Plain text, at most 100 columns: each gate with its errors, pairwise orders, fit, verdict,
-/// reason and pass or FAIL, and one closing line with the count.
+/// reason and pass or FAIL.
 std::string table(const std::vector<GateResult>& results);
+
+/// How many gates have come out how.
+struct Count {
+    std::size_t passed = 0, failed = 0, not_gated = 0;
+
+    std::size_t all() const { return passed + failed + not_gated; }
+};
+Count count(const std::vector<GateResult>& results);
+
+/// "60 of 60 gates pass", or "12 pass, 1 fail, 30 not gated: too few grids".
+std::string text(const Count& count);
 
 /// True if there is at least one result and all have passed.
 bool all_passed(const std::vector<GateResult>& results);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -53,8 +54,8 @@ public:
     /// The same, from successive differences of a sample or value: for studies without a truth.
     Study& difference_gate(std::string quantity, Norm norm, Expectation expected,
                            std::string reason);
-    /// The value of `quantity` on `grid` must lie in the interval; a grid that was not run is a
-    /// failure.
+    /// The value of `quantity` on `grid` must lie in the interval; a grid that is none of the
+    /// study's is a failure.
     Study& bound(std::string quantity, int grid, Interval allowed, std::string reason);
     /// The value extrapolated to h -> 0 from the three finest grids at the formal order must lie in
     /// the interval.
@@ -82,14 +83,33 @@ struct Progress {
     double seconds;
     std::size_t done, total;
     std::string failure;  ///< Empty unless the run of this grid threw
+    double to_go;         ///< Seconds that the rest will take, from the pace so far and the costs
 };
 using OnProgress = std::function<void(const Progress&)>;
 
-/// Runs the study on its own grids, or on `grids` if any are given, as many at a time as the
-/// machine has threads, and judges every row, in the order written. A run that throws fails every
-/// gate that needs it, with the reason; it stops nothing else. `on_progress` is called from one
-/// thread at a time.
-/// \throws std::invalid_argument if the study has nothing to measure, no grid or no gate.
+/// A study to be run.
+struct Task {
+    Study study;
+    /// None: all of the study's own. Gates that need another of the study's own are then left
+    /// ungated.
+    std::optional<std::vector<int>> grids = {};
+    double seconds = 1.0;  ///< What all of the study's own grids are expected to take
+};
+
+/// What has become of a task.
+struct StudyResult {
+    std::vector<int> grids;         ///< Those that were run
+    std::vector<GateResult> gates;  ///< One for each row, in the order written
+    double seconds;                 ///< Sum over its runs
+};
+
+/// Runs all grids of all tasks out of one queue, the dearest first, as many at a time as the
+/// machine has cores, and judges every row. A run that throws fails every gate that needs it, with
+/// the reason; it stops nothing else. `on_progress` is called from one thread at a time. \throws
+/// std::invalid_argument if a study has nothing to measure, no grid or no gate.
+std::vector<StudyResult> run(const std::vector<Task>& tasks, const OnProgress& on_progress = {});
+
+/// The same for one study, on its own grids or on `grids` if any are given.
 std::vector<GateResult> run(const Study& study, std::vector<int> grids = {},
                             const OnProgress& on_progress = {});
 

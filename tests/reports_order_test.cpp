@@ -193,6 +193,15 @@ TEST(Extrapolation, TrustsAnOrderWithinTenPerCentOfFormal) {
     EXPECT_EQ(safety(2.21), 3.0);
 }
 
+// 1, 0, 0.25: the ratio of the differences says order 2, but the values swing about their limit.
+TEST(Extrapolation, DistrustsValuesThatOscillate) {
+    const std::vector<double> h{4.0, 2.0, 1.0};
+    const auto swinging = extrapolate(h, std::vector{1.0, 0.0, 0.25}, 2.0);
+    EXPECT_NEAR(swinging.observed, 2.0, round_off);
+    EXPECT_EQ(swinging.safety, 3.0);
+    EXPECT_EQ(extrapolate(h, std::vector{1.25, 0.25, 0.0}, 2.0).safety, 1.25);
+}
+
 TEST(Extrapolation, RefusesWhatItCannotUse) {
     EXPECT_TRUE(
         std::isnan(extrapolate(std::vector{4.0, 2.0, 1.0}, std::vector{1.0, nan, 3.0}, 2.0).value));

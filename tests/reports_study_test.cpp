@@ -1,8 +1,10 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -55,14 +57,102 @@ TEST(StudyRun, JudgesEveryRowInOrder) {
         << "L2 of sin on [0,1]";
 }
 
-TEST(StudyRun, TakesTheGridsOfTheCaller) {
+TEST(StudyRun, GatesOnTheCallersGridsWhatTheySufficeFor) {
     auto s = study();
-    s.gate("temperature", Norm::L2, expect(2.0).within(0.01), "h^2 added")
-        .bound("T_s", 256, between(0, 1e3), "any");
+    s.gate("temperature", Norm::L2, expect(2.0).within(0.01).to(128), "h^2 added")
+        .difference_gate("T_s", Norm::magnitude, expect(2.0).within(0.01).to(128), "3 h^2 added")
+        .bound("T_s", 64, between(0, 1e3), "any");
     const auto results = run(s, {128, 32, 64, 64});
     EXPECT_EQ(results[0].grids, (std::vector{32, 64, 128}));
-    EXPECT_TRUE(results[0].passed);
-    EXPECT_EQ(results[1].failure, "grid 256 was not run");
+    EXPECT_TRUE(all_passed(results)) << table(results);
+}
+
+/// Every kind of row, each in need of grid 256.
+Study all_rows() {
+    auto s = study();
+    s.gate("temperature", Norm::L2, expect(2.0).within(0.01), "h^2 added")
+        .difference_gate("temperature", Norm::L2, expect(2.0).within(0.01), "h^2 added")
+        .bound("T_s", 256, between(0, 1e3), "any")
+        .limit_bound("T_s", 2.0, between(0, 1e3), "any");
+    return s;
+}
+
+TEST(StudyRun, LeavesUngatedWhatTheCallersGridsDoNotSufficeFor) {
+    for (const auto& grids : {std::vector{32, 64}, std::vector{32}, std::vector{32, 64, 128}})
+        for (const auto& result : run(all_rows(), grids)) {
+            EXPECT_FALSE(result.gated) << result.quantity;
+            EXPECT_FALSE(result.passed) << result.quantity;
+            EXPECT_FALSE(result.fell_short()) << result.quantity;
+            EXPECT_EQ(result.verdict, "too few grids to gate");
+            EXPECT_NE(result.failure.find("256 not run"), std::string::npos) << result.failure;
+        }
+}
+
+TEST(StudyRun, LeavesEverythingUngatedOnNoGridAtAll) {
+    const auto results = run({Task{.study = all_rows(), .grids = std::vector<int>{}}});
+    ASSERT_EQ(results.at(0).gates.size(), 4U);
+    EXPECT_EQ(count(results[0].gates).not_gated, 4U);
+    EXPECT_EQ(results[0].gates[0].quantity, "temperature");
+}
+
+TEST(StudyRun, FailsWhatIsBrokenOnTheCallersGridsEvenIfTheyAreTooFew) {
+    const auto measured = [](double value) {
+        Study s("broken");
+        s.grids({32, 64, 128}).measure([value](int n) {
+            return Measurement(1.0 / n).error("T", Norm::L2, value / n).value("T_s", value);
+        });
+        s.gate("T", Norm::L2, expect(1.0).within(0.1), "h")
+            .bound("T_s", 128, between(0, 1), "any")
+            .limit_bound("T_s", 1.0, between(0, 1), "any");
+        return run(s, {32, 64});
+    };
+    for (const auto& result : measured(1.0)) EXPECT_FALSE(result.gated);
+    for (const auto& result : measured(std::nan(""))) EXPECT_TRUE(result.fell_short());
+
+    auto s = all_rows();
+    s.measure([](int n) {
+        if (n == 32) throw std::runtime_error("no convergence");
+        return second_order(n);
+    });
+    for (const auto& result : run(s, {32, 64})) {
+        EXPECT_TRUE(result.fell_short()) << result.quantity;
+        EXPECT_NE(result.failure.find("grid 32: no convergence"), std::string::npos);
+    }
+}
+
+TEST(StudyRun, FailsGatesOnGridsThatTheStudyDoesNotHave) {
+    auto s = study();
+    s.bound("T_s", 512, between(0, 1e3), "any")
+        .gate("temperature", Norm::L2, expect(2.0).within(0.01).to(512), "h^2 added");
+    for (const auto& result : run(s)) EXPECT_TRUE(result.fell_short());
+}
+
+TEST(StudyRun, FeedsAllStudiesOutOfOneQueueDearestFirst) {
+    std::vector<std::string> begun;
+    std::mutex mutex;
+    const auto noting = [&](const std::string& name) {
+        Study s(name);
+        s.grids({10, 20}).measure([&, name](int n) {
+            const std::scoped_lock lock(mutex);
+            begun.push_back(name + std::to_string(n));
+            return Measurement(1.0 / n).value("x", n);
+        });
+        s.bound("x", 10, between(10, 10), "itself");
+        return s;
+    };
+    std::vector<double> to_go;
+    const auto results = run(
+        {{.study = noting("cheap"), .seconds = 1.0}, {.study = noting("dear"), .seconds = 100.0}},
+        [&](const Progress& p) { to_go.push_back(p.to_go); });
+    // Costs are 80, 20, 0.8 and 0.2: with several threads only the first and the last are certain.
+    EXPECT_THAT(begun, testing::UnorderedElementsAre("cheap10", "cheap20", "dear10", "dear20"));
+    EXPECT_NE(begun.back().find("cheap"), std::string::npos);
+    ASSERT_EQ(results.size(), 2U);
+    EXPECT_EQ(results[0].gates.at(0).study, "cheap");
+    EXPECT_EQ(results[1].grids, (std::vector{10, 20}));
+    EXPECT_TRUE(results[1].gates.at(0).passed);
+    EXPECT_EQ(to_go.size(), 4U);
+    EXPECT_NEAR(to_go.back(), 0.0, 1e-12);
 }
 
 TEST(StudyRun, CarriesTheReasonOfARunThatThrew) {
@@ -102,12 +192,13 @@ TEST(StudyRun, FailsSamplesOfDifferentPoints) {
     EXPECT_NE(run(s)[0].failure.find("differ in number"), std::string::npos);
 }
 
-TEST(StudyRun, FailsOnTwoGrids) {
+TEST(StudyRun, FailsAStudyOfTwoGrids) {
     auto s = study();
-    s.gate("temperature", Norm::L2, expect(2.0).within(0.1), "h^2")
+    s.grids({32, 64})
+        .gate("temperature", Norm::L2, expect(2.0).within(0.1), "h^2")
         .difference_gate("temperature", Norm::L2, expect(2.0).within(0.1), "h^2")
         .limit_bound("T_s", 2.0, between(0, 1e3), "any");
-    for (const auto& result : run(s, {32, 64})) EXPECT_FALSE(result.passed) << result.quantity;
+    for (const auto& result : run(s)) EXPECT_TRUE(result.fell_short()) << result.quantity;
 }
 
 TEST(StudyRun, RefusesAStudyOfNothing) {

@@ -20,7 +20,8 @@ const std::vector<Entry>& catalogue() {
     return entries();
 }
 
-Registered::Registered(Entry entry) {
+Registered::Registered(Entry entry, const std::filesystem::path& file) {
+    entry.source = "cases" / file.filename();
     const auto after = std::ranges::upper_bound(entries(), entry.name, {}, &Entry::name);
     entries().insert(after, std::move(entry));
 }

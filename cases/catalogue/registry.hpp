@@ -56,15 +56,16 @@ struct Entry {
     Cost cost = {};
     std::function<Outcome(const Request&)> draw = {};
     std::function<std::vector<reports::Study>()> studies = {};
+    std::filesystem::path source = {};  ///< "cases/<file>.cpp"; filled in when it registers
 };
 
 /// All entries, by name.
 const std::vector<Entry>& catalogue();
 
 /// Puts an entry into the catalogue before main() begins: const Registered here{{...}}; in the file
-/// of the case.
+/// of the case, which is how the entry knows its file.
 struct Registered {
-    explicit Registered(Entry entry);
+    explicit Registered(Entry entry, const std::filesystem::path& file = __builtin_FILE());
 };
 
 }  // namespace crawford

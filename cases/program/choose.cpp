@@ -12,54 +12,78 @@ namespace crawford {
 
 namespace {
 
-using Choice = bool (*)(const Entry&);
-
-bool can_be_drawn(const Entry& entry) {
-    return bool(entry.draw);
+/// The entry of this name; null if there is none.
+const Entry* find(const std::string& name) {
+    const auto found = std::ranges::find(catalogue(), name, &Entry::name);
+    return found == catalogue().end() ? nullptr : &*found;
 }
 
-bool can_be_verified(const Entry& entry) {
-    return bool(entry.studies);
-}
-
-std::vector<const Entry*> all(Choice fits) {
-    std::vector<const Entry*> chosen;
-    for (const Entry& entry : catalogue())
-        if (fits(entry)) chosen.push_back(&entry);
-    return chosen;
-}
-
-std::vector<const Entry*> choose(const std::vector<std::string>& names, const char* kind,
-                                 Choice fits, Choice otherwise, const char* instead) {
-    const auto candidates = all(fits);
+const Entry* case_of(const std::string& name) {
+    const Entry* entry = find(name);
+    if (entry != nullptr && entry->draw) return entry;
+    if (entry != nullptr)
+        throw InputError(fmt::format("{0} is no case; use crawford verify {0}", name));
     std::vector<std::string> known;
-    for (const Entry* entry : candidates) known.push_back(entry->name);
+    for (const Entry& other : catalogue())
+        if (other.draw) known.push_back(other.name);
+    throw InputError(fmt::format("no case is called {}{}", name, suggestion(name, known)));
+}
 
-    std::vector<const Entry*> chosen;
-    for (const std::string& name : names) {
-        const auto found = std::ranges::find(candidates, name, &Entry::name);
-        if (found != candidates.end()) {
-            if (std::ranges::find(chosen, *found) == chosen.end()) chosen.push_back(*found);
-            continue;
-        }
-        const auto other = std::ranges::find(catalogue(), name, &Entry::name);
-        if (other != catalogue().end() && otherwise(*other))
-            throw InputError(
-                fmt::format("{} is no {}; use crawford {} {}", name, kind, instead, name));
-        throw InputError(fmt::format("no {} is called {}{}", kind, name, suggestion(name, known)));
+std::vector<ChosenStudy> all_studies() {
+    std::vector<ChosenStudy> all;
+    for (const Entry& entry : catalogue()) {
+        if (!entry.studies) continue;
+        const auto studies = entry.studies();
+        for (const reports::Study& study : studies)
+            all.push_back({.entry = &entry,
+                           .study = study,
+                           .name = studies.size() == 1 ? entry.name : study.name(),
+                           .seconds = entry.cost.verify / double(studies.size())});
     }
-    return chosen;
+    return all;
+}
+
+[[noreturn]] void refuse_study(const std::string& name, const std::vector<ChosenStudy>& all) {
+    if (find(name) != nullptr)
+        throw InputError(fmt::format("{0} is no study; use crawford run {0}", name));
+    std::vector<std::string> entries;
+    std::vector<std::string> names;
+    for (const ChosenStudy& study : all) {
+        if (std::ranges::find(entries, study.entry->name) == entries.end())
+            entries.push_back(study.entry->name);
+        names.push_back(study.study.name());
+    }
+    names.insert(names.end(), entries.begin(), entries.end());
+    const bool is_near = !nearest_name(name, names).empty();
+    throw InputError(
+        fmt::format("no study is called {}{}", name, suggestion(name, is_near ? names : entries)));
 }
 
 }  // namespace
 
 std::vector<const Entry*> choose_cases(const std::vector<std::string>& names) {
-    return choose(names, "case", can_be_drawn, can_be_verified, "verify");
+    std::vector<const Entry*> chosen;
+    for (const std::string& name : names) {
+        const Entry* entry = case_of(name);
+        if (std::ranges::find(chosen, entry) == chosen.end()) chosen.push_back(entry);
+    }
+    return chosen;
 }
 
-std::vector<const Entry*> choose_studies(const std::vector<std::string>& names) {
-    if (names.empty()) return all(can_be_verified);
-    return choose(names, "study", can_be_verified, can_be_drawn, "run");
+std::vector<ChosenStudy> choose_studies(const std::vector<std::string>& names) {
+    const auto all = all_studies();
+    const auto is_called = [](const ChosenStudy& study, const std::string& name) {
+        return study.entry->name == name || study.study.name() == name;
+    };
+    for (const std::string& name : names)
+        if (std::ranges::none_of(all, [&](const auto& study) { return is_called(study, name); }))
+            refuse_study(name, all);
+    if (names.empty()) return all;
+    std::vector<ChosenStudy> chosen;
+    for (const ChosenStudy& study : all)
+        if (std::ranges::any_of(names, [&](const auto& name) { return is_called(study, name); }))
+            chosen.push_back(study);
+    return chosen;
 }
 
 Fidelity fidelity_of(const std::string& word) {

@@ -12,9 +12,18 @@ namespace crawford {
 /// \throws InputError with the nearest name if one is unknown or cannot be drawn.
 std::vector<const Entry*> choose_cases(const std::vector<std::string>& names);
 
-/// The studies of these names, or all if there are none.
+/// A study and the entry of the catalogue that it belongs to.
+struct ChosenStudy {
+    const Entry* entry;
+    reports::Study study;
+    std::string name;  ///< by which this study and no other is chosen
+    double seconds;    ///< that it is expected to take: the entry's cost, shared out
+};
+
+/// The studies of these names in the catalogue's order, or all if there are none. A name is that of
+/// an entry, which means all its studies, or that of one study.
 /// \throws InputError likewise.
-std::vector<const Entry*> choose_studies(const std::vector<std::string>& names);
+std::vector<ChosenStudy> choose_studies(const std::vector<std::string>& names);
 
 /// "draft", "paper" or "fine".
 /// \throws InputError

@@ -18,12 +18,15 @@ namespace {
 /// The CLI11 parser and what it fills.
 struct Parser {
     CLI::App app{help::program, "crawford"};
+    ListOptions list;
     RunOptions run;
     VerifyOptions verify;
+    ReportOptions report;
     BurnSceneOptions burn;
     CLI::App* list_command = nullptr;
     CLI::App* run_command = nullptr;
     CLI::App* verify_command = nullptr;
+    CLI::App* report_command = nullptr;
     CLI::App* burn_command = nullptr;
 
     Parser() {
@@ -36,11 +39,14 @@ struct Parser {
         add_list();
         add_run();
         add_verify();
+        add_report();
         add_burn();
     }
 
     void add_list() {
         list_command = app.add_subcommand("list", "Show the catalogue of cases and studies");
+        list_command->add_flag("--studies", list.studies,
+                               "Only the studies, a name and its cost in seconds on each line");
     }
 
     void add_run() {
@@ -58,13 +64,21 @@ struct Parser {
         verify_command = app.add_subcommand("verify", help::verify);
         verify_command->add_option("STUDY", verify.studies, "Studies to run; all if none is named");
         verify_command
-            ->add_option("--grids", verify.grids, "Cells, coarse to fine; each study has its own")
+            ->add_option("--grids", verify.grids, "Only these grids: a quick look, or a finer one")
             ->type_name("N,N,...")
             ->delimiter(',')
             ->allow_extra_args(false);
         add_out(verify_command, verify.out, "out/verify")->capture_default_str();
         add_quiet(verify_command, verify.quiet);
         verify_command->footer(help::verify_examples);
+    }
+
+    void add_report() {
+        report_command = app.add_subcommand("report", help::report);
+        report_command->add_option("--out", report.out, "Directory of a verify, else out/verify")
+            ->type_name("DIR")
+            ->capture_default_str();
+        report_command->footer(help::report_examples);
     }
 
     void add_burn() {
@@ -132,12 +146,14 @@ std::vector<std::string> command_names(const CLI::App& app) {
     if (!unknown.empty()) refuse_unknown(parser, unknown.front());
     const CLI::App& command = parser.named();
     if (&command == &parser.app)
-        throw InputError("a command is missing: list, run, verify or burn; see crawford --help");
+        throw InputError(
+            "a command is missing: list, run, verify, report or burn; see crawford --help");
     throw InputError(fmt::format("{}; see crawford {} --help", error.what(), command.get_name()));
 }
 
 Job job_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) {
-    if (parser->list_command->parsed()) return list;
+    if (parser->list_command->parsed()) return [parser] { return list(parser->list); };
+    if (parser->report_command->parsed()) return [parser] { return report(parser->report); };
     if (parser->run_command->parsed())
         return [parser, arguments] { return run(parser->run, arguments); };
     if (parser->verify_command->parsed())

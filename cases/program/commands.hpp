@@ -29,9 +29,13 @@ struct RunOptions {
 
 struct VerifyOptions {
     std::vector<std::string> studies;  ///< all if empty
-    std::vector<int> grids;            ///< each study's own if empty
+    std::vector<int> grids;            ///< each study's own if empty; see help.hpp
     std::filesystem::path out = "out/verify";
     bool quiet = false;
+};
+
+struct ReportOptions {
+    std::filesystem::path out = "out/verify";
 };
 
 struct BurnSceneOptions {
@@ -43,16 +47,24 @@ struct BurnSceneOptions {
     bool quiet = false;
 };
 
+struct ListOptions {
+    bool studies = false;  ///< only these, as "name seconds" lines for programs
+};
+
 /// The catalogue, on stdout.
-int list();
+int list(const ListOptions& options);
 
 /// Draws cases, two at a time. One that fails stops no other.
 /// \throws InputError naming the nearest case if one is unknown, before anything is computed.
 int run(const RunOptions& options, const CommandLine& command);
 
-/// Runs studies, one after the other with their grids side by side.
-/// \throws InputError as run().
+/// Runs studies, all their grids out of one queue, and writes verify.json and report.html.
+/// \throws InputError as run(), or if no study has any of the grids.
 int verify(const VerifyOptions& options, const CommandLine& command);
+
+/// Writes report.html anew from the verify.json that is there.
+/// \throws InputError if there is none or it cannot be understood.
+int report(const ReportOptions& options);
 
 /// Burns a scene.
 int burn(const BurnSceneOptions& options, const CommandLine& command);

@@ -29,12 +29,25 @@ Examples:
 inline constexpr auto verify = "Hold the solver against its truths; exit 1 if a gate falls short";
 
 inline constexpr auto verify_examples = R"(
-Prints every gate with its errors, orders and reason; DIR/verify.json has them all, DIR/figures the
-convergence plots. A grid that a gate needs and that is not run makes the gate fall short.
+Prints every gate with its errors, orders and reason. DIR/report.html shows them with their plots
+and what the studies cover, DIR/verify.json holds them for programs.
+
+--grids runs, of each study's own grids, only those listed. Gates that need others are then not
+gated: neither pass nor fail, and no verification. A study that is named may also be run on grids
+that it does not have.
 
 Examples:
   crawford verify
+  crawford verify --grids 32,64                   a quick look
+  crawford verify slab 'heat, smooth'             entries of the catalogue, or single studies
   crawford verify slab --grids 32,64,128,256,512)";
+
+inline constexpr auto report = "Write the report of a verify anew from its verify.json";
+
+inline constexpr auto report_examples = R"(
+Examples:
+  crawford report
+  crawford report --out out/verify)";
 
 inline constexpr auto burn = "Burn a scene: snapshots, history, checkpoints and manifest into DIR";
 

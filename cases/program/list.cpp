@@ -42,7 +42,12 @@ void print(const Entry& entry) {
 
 }  // namespace
 
-int list() {
+int list(const ListOptions& options) {
+    if (options.studies) {
+        for (const Entry& entry : catalogue())
+            if (entry.studies) std::cout << fmt::format("{} {:g}\n", entry.name, entry.cost.verify);
+        return exit_code::done;
+    }
     std::cout << fmt::format(row, "name", "figure", "shows", "cost");
     for (const Entry& entry : catalogue()) print(entry);
     std::cout << "\nWith a figure: crawford run NAME, cost as draft / as in the paper. Without: a "

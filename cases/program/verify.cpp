@@ -1,79 +1,111 @@
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cctype>
-#include <future>
+#include <chrono>
+#include <ctime>
+#include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
-#include <thread>
+#include <iterator>
 #include <utility>
 
+#include "cases/catalogue/terms.hpp"
 #include "cases/program/choose.hpp"
 #include "cases/program/commands.hpp"
 #include "cases/program/narrator.hpp"
 #include "cases/program/provenance.hpp"
-#include "reports/convergence_figure.hpp"
+#include "reports/figure.hpp"
 #include "reports/judgement.hpp"
+#include "reports/page/prose.hpp"
+#include "reports/verification.hpp"
 #include "solver/errors.hpp"
 #include "solver/output/atomic_file.hpp"
-#include "solver/output/build_info.hpp"
+#include "solver/output/progress.hpp"
 
 namespace crawford {
 
 namespace {
 
-using Results = std::vector<reports::GateResult>;
+using Clock = std::chrono::steady_clock;
 
 void check_grids(const std::vector<int>& grids) {
     for (const int grid : grids)
-        if (grid < 8)
-            throw InputError(
-                fmt::format("--grids holds {}; no study runs on fewer than 8 cells", grid));
+        if (grid < 1) throw InputError(fmt::format("--grids holds {}; a grid is 1 or more", grid));
 }
 
-/// Letters, digits and '_' only, as file names want them.
-std::string file_name(const std::string& study) {
-    std::string name = "verify_";
-    for (const char c : study) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-    return name;
-}
-
-bool has_point(const reports::ConvergenceCurve& curve) {
-    return std::ranges::any_of(curve.convergence.levels(),
-                               [](const reports::Level& level) { return level.error > 0.0; });
-}
-
-/// The convergence plot of a study, unless it reads no order or none of its runs came to an end.
-void draw(const std::string& study, const Results& results, const std::filesystem::path& out) {
-    const auto curves = reports::curves_of(results);
-    if (std::ranges::none_of(curves, has_point)) return;
-    reports::draw_convergence(file_name(study), out, study, curves, {.revision = revision()});
-}
-
-Results run_study(const reports::Study& study, const std::vector<int>& grids, Narrator& narrator) {
-    return reports::run(study, grids, [&](const reports::Progress& p) {
-        narrator.say(fmt::format("{}: grid {} {} {:.1f} s ({} of {})", p.study, p.grid,
-                                 p.failure.empty() ? "done in" : "failed after", p.seconds, p.done,
-                                 p.total));
+/// Of the study's own grids those that were asked for; if the study was named, all that were.
+std::optional<std::vector<int>> grids_of(const reports::Study& study,
+                                         const VerifyOptions& options) {
+    if (options.grids.empty()) return {};
+    if (!options.studies.empty()) return options.grids;
+    auto grids = study.grids();
+    std::erase_if(grids, [&](int grid) {
+        return std::ranges::find(options.grids, grid) == options.grids.end();
     });
+    return grids;
 }
 
-/// Studies run side by side, one for each core, and each its grids; results come in the catalogue's
-/// order.
-std::vector<Results> run_all(const std::vector<reports::Study>& studies,
-                             const std::vector<int>& grids, Narrator& narrator) {
-    std::vector<Results> results(studies.size());
-    std::atomic<size_t> next = 0;
-    const auto work = [&] {
-        for (size_t k = next++; k < studies.size(); k = next++)
-            results[k] = run_study(studies[k], grids, narrator);
+std::vector<reports::Task> tasks_of(const std::vector<ChosenStudy>& chosen,
+                                    const VerifyOptions& options) {
+    std::vector<reports::Task> tasks;
+    for (const ChosenStudy& one : chosen)
+        tasks.push_back({one.study, grids_of(one.study, options), one.seconds});
+    const auto has_grid = [](const reports::Task& task) {
+        return !task.grids || !task.grids->empty();
     };
-    std::vector<std::future<void>> workers;
-    for (unsigned core = 0; core < std::max(std::thread::hardware_concurrency(), 1U); ++core)
-        workers.push_back(std::async(std::launch::async, work));
-    for (auto& worker : workers) worker.get();
-    return results;
+    if (std::ranges::none_of(tasks, has_grid))
+        throw InputError(fmt::format("--grids = {}: no study has any of these grids",
+                                     fmt::join(options.grids, ",")));
+    return tasks;
+}
+
+/// The opening comment of the entry's file; empty where the sources are not at hand.
+std::string page_of(const Entry& entry) {
+    std::ifstream file(reports::source_path(entry.source));
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    return reports::page::opening_comment(text);
+}
+
+std::string command_of(const ChosenStudy& chosen, const std::vector<int>& grids, bool selected) {
+    const bool plain = chosen.name.find_first_of(" ,()'=<>;&|*\"") == std::string::npos;
+    auto command = fmt::format("build/crawford verify {0}{1}{0}", plain ? "" : "'", chosen.name);
+    if (selected) command += fmt::format(" --grids {}", fmt::join(grids, ","));
+    return command;
+}
+
+reports::Verification collected(const std::vector<ChosenStudy>& chosen,
+                                std::vector<reports::StudyResult> results,
+                                const VerifyOptions& options) {
+    reports::Verification found;
+    found.whole = options.studies.empty() && options.grids.empty();
+    found.terms.assign(term::all.begin(), term::all.end());
+    for (size_t k = 0; k < chosen.size(); ++k) {
+        const bool selected = !options.grids.empty() && !results[k].grids.empty();
+        found.studies.push_back({.name = chosen[k].study.name(),
+                                 .entry = chosen[k].entry->name,
+                                 .page = page_of(*chosen[k].entry),
+                                 .source = chosen[k].entry->source.string(),
+                                 .command = command_of(chosen[k], results[k].grids, selected),
+                                 .covers = chosen[k].study.covered(),
+                                 .grids = results[k].grids,
+                                 .seconds = results[k].seconds});
+        std::ranges::move(results[k].gates, std::back_inserter(found.gates));
+    }
+    return found;
+}
+
+nlohmann::ordered_json manifest(const CommandLine& command, Clock::time_point started) {
+    auto members = provenance(command);
+    members["wall_seconds"] = std::chrono::duration<double>(Clock::now() - started).count();
+    members["ended"] = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
+    return members;
+}
+
+void tell(Narrator& narrator, const reports::Progress& p) {
+    narrator.say(fmt::format("{}: grid {} {} {:.1f} s ({} of {}, {} to go)", p.study, p.grid,
+                             p.failure.empty() ? "done in" : "failed after", p.seconds, p.done,
+                             p.total, clock_time(p.to_go)));
 }
 
 }  // namespace
@@ -81,21 +113,19 @@ std::vector<Results> run_all(const std::vector<reports::Study>& studies,
 int verify(const VerifyOptions& options, const CommandLine& command) {
     check_grids(options.grids);
     const auto chosen = choose_studies(options.studies);
+    const auto tasks = tasks_of(chosen, options);
     prepare_directory(options.out);
 
-    std::vector<reports::Study> studies;
-    for (const Entry* entry : chosen)
-        for (const reports::Study& study : entry->studies()) studies.push_back(study);
     Narrator narrator(options.quiet);
-    const std::vector<Results> results = run_all(studies, options.grids, narrator);
+    const auto started = Clock::now();
+    auto results = reports::run(tasks, [&](const reports::Progress& p) { tell(narrator, p); });
+    auto found = collected(chosen, std::move(results), options);
+    found.manifest = manifest(command, started);
 
-    Results all;
-    for (const Results& part : results) all.insert(all.end(), part.begin(), part.end());
-    reports::write_json(options.out / "verify.json", all, provenance(command));
-    std::cout << reports::table(all) << std::flush;
-    // Last, so that no result is lost where gnuplot is missing.
-    for (size_t k = 0; k < studies.size(); ++k) draw(studies[k].name(), results[k], options.out);
-    return reports::all_passed(all) ? exit_code::done : exit_code::gate_fell_short;
+    reports::write(options.out / "verify.json", found);
+    std::cout << reports::table(found.gates) << '\n' << found.summary();
+    report({.out = options.out});
+    return found.fell_short() ? exit_code::gate_fell_short : exit_code::done;
 }
 
 }  // namespace crawford

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "reports/page/html.hpp"
+
+namespace crawford::reports::page {
+
+/// What the results were computed with and on, member by member.
+Html manifest(const nlohmann::ordered_json& members);
+
+}  // namespace crawford::reports::page

@@ -1,0 +1,73 @@
+#include "reports/page/study_sections.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "reports/page/gate_card.hpp"
+#include "reports/page/overview.hpp"
+#include "reports/page/prose.hpp"
+
+namespace crawford::reports::page {
+namespace {
+
+/// Where the gates of a study stand among all, those that fell short first.
+std::vector<std::size_t> indices_of(const Verification& v, const std::string& study) {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < v.gates.size(); ++i)
+        if (v.gates[i].study == study) indices.push_back(i);
+    std::ranges::stable_partition(indices, [&](std::size_t i) { return v.gates[i].fell_short(); });
+    return indices;
+}
+
+Html study_section(const Verification& v, const StudyRecord& study) {
+    Html cards;
+    for (const auto i : indices_of(v, study.name)) cards += gate_card(v.gates[i], i);
+    Html text = element("h3", {}, study.name);
+    text += element("p", {{"class", "facts"}}, element("code", {}, study.command));
+    if (!study.covers.empty())
+        text += element("p", {{"class", "facts"}},
+                        "covers " + fmt::format("{}", fmt::join(study.covers, "; ")));
+    text += element("div", {{"class", "gates"}}, cards);
+    return element("section", {{"id", anchor_of_study(study.name)}, {"class", "study"}}, text) +
+           "\n";
+}
+
+bool fell_short(const Verification& v, const std::string& entry) {
+    return std::ranges::any_of(v.studies, [&](const StudyRecord& study) {
+        return study.entry == entry &&
+               std::ranges::any_of(gates_of(v, study.name), &GateResult::fell_short);
+    });
+}
+
+std::vector<std::string> entries_of(const Verification& v) {
+    std::vector<std::string> entries;
+    for (const auto& study : v.studies)
+        if (std::ranges::find(entries, study.entry) == entries.end())
+            entries.push_back(study.entry);
+    std::ranges::stable_partition(entries, [&](const auto& entry) { return fell_short(v, entry); });
+    return entries;
+}
+
+Html entry_section(const Verification& v, const std::string& entry) {
+    Html text;
+    for (const auto& study : v.studies) {
+        if (study.entry != entry) continue;
+        if (text.empty())
+            text += prose(study.page.empty() ? "# " + entry : study.page) +
+                    element("p", {{"class", "facts"}}, element("code", {}, study.source));
+        text += study_section(v, study);
+    }
+    return element("section", {{"class", "entry"}}, text) + "\n";
+}
+
+}  // namespace
+
+Html study_sections(const Verification& v) {
+    Html html;
+    for (const auto& entry : entries_of(v)) html += entry_section(v, entry);
+    return html;
+}
+
+}  // namespace crawford::reports::page

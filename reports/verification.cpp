@@ -1,0 +1,96 @@
+#include "reports/verification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "reports/atomic_file.hpp"
+#include "reports/gate_json.hpp"
+#include "reports/judgement.hpp"
+
+namespace crawford::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string title(const GateResult& gate) {
+    return gate.norm.empty() ? fmt::format("{}: {}", gate.study, gate.quantity)
+                             : fmt::format("{}: {}, {}", gate.study, gate.quantity, gate.norm);
+}
+
+}  // namespace
+
+void to_json(Json& json, const StudyRecord& s) {
+    json = {{"name", s.name},       {"entry", s.entry},   {"source", s.source},
+            {"command", s.command}, {"covers", s.covers}, {"grids", s.grids},
+            {"seconds", s.seconds}, {"page", s.page}};
+}
+
+void from_json(const Json& json, StudyRecord& s) {
+    json.at("name").get_to(s.name);
+    json.at("entry").get_to(s.entry);
+    json.at("source").get_to(s.source);
+    json.at("command").get_to(s.command);
+    json.at("covers").get_to(s.covers);
+    json.at("grids").get_to(s.grids);
+    json.at("seconds").get_to(s.seconds);
+    json.at("page").get_to(s.page);
+}
+
+Coverage Verification::coverage() const {
+    std::vector<CoveredBy> covered;
+    for (const auto& study : studies) covered.push_back({study.name, study.covers});
+    return {terms, std::move(covered)};
+}
+
+bool Verification::passed() const {
+    return all_passed(gates) && !fell_short();
+}
+
+bool Verification::fell_short() const {
+    return gates.empty() || std::ranges::any_of(gates, &GateResult::fell_short) ||
+           (whole && !coverage().gaps().empty());
+}
+
+std::string Verification::summary() const {
+    std::string lines = text(count(gates)) + '\n';
+    for (const auto& gate : gates)
+        if (gate.fell_short()) lines += fmt::format("FAIL: {}: {}\n", title(gate), gate.failure);
+    if (whole)
+        for (const auto& gap : coverage().gaps()) lines += fmt::format("FAIL: {}\n", gap);
+    if (count(gates).not_gated > 0)
+        lines += "this is a quick look and no verification: gates were left without their grids\n";
+    return lines;
+}
+
+void write(const std::filesystem::path& file, const Verification& v) {
+    Json document = v.manifest;
+    document["passed"] = v.passed();
+    document["whole"] = v.whole;
+    document["terms"] = v.terms;
+    document["studies"] = v.studies;
+    document["gates"] = v.gates;
+    write_atomically(file, document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+Verification read_verification(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in) throw std::runtime_error(fmt::format("{} cannot be read", file.string()));
+    try {
+        Verification v;
+        v.manifest = Json::parse(in);
+        v.manifest.at("whole").get_to(v.whole);
+        v.manifest.at("terms").get_to(v.terms);
+        v.manifest.at("studies").get_to(v.studies);
+        v.manifest.at("gates").get_to(v.gates);
+        for (const char* key : {"passed", "whole", "terms", "studies", "gates"})
+            v.manifest.erase(key);
+        return v;
+    } catch (const Json::exception& problem) {
+        throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
+    }
+}
+
+}  // namespace crawford::reports
