@@ -81,6 +81,28 @@ PlaneStrainStress ElasticLaminate::stress(double x) const {
             .xy = stress_xy_};
 }
 
+double axial_stiffness(const std::vector<LayerShare>& layers) {
+    double shares = 0.0;
+    double stretch = 0.0;
+    double lateral = 0.0;
+    double ratio = 0.0;
+    double compliance = 0.0;
+    for (const auto& [material, share] : layers) {
+        require_moduli(material, "layer");
+        require_positive("share of a layer", share);
+        const double lame = material.lame();
+        const double modulus = material.uniaxial_modulus();
+        shares += share;
+        stretch += share * modulus;
+        lateral += share * lame * lame / modulus;
+        ratio += share * lame / modulus;
+        compliance += share / modulus;
+    }
+    if (!(std::abs(shares - 1.0) < 1e-12))
+        throw std::invalid_argument(fmt::format("shares of the layers add to {}, not 1", shares));
+    return stretch - lateral + ratio * ratio / compliance;
+}
+
 Material balanced_strip(const Material& outer, double strip, double period, double a) {
     require_widths(strip, period);
     require_moduli(outer, "outer layer");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "reference/elastic_sandwich.hpp"
 #include "reference/material.hpp"
@@ -47,6 +48,17 @@ private:
     double stress_xx_ = 0.0;
     double stress_xy_ = 0.0;
 };
+
+/// A layer of any laminate: its material and what share of the period it takes.
+struct LayerShare {
+    Material material;
+    double share = missing;
+};
+
+/// Mean sigma_yy of a laminate for eps_yy = 1, with no shear and no growth of the period [Pa]:
+/// <P> - <lambda^2/P> + <lambda/P>^2/<1/P>, P = lambda + 2 mu, <> the mean over the layers.
+/// \throws std::invalid_argument naming what is out of range, unless the shares add to 1
+double axial_stiffness(const std::vector<LayerShare>& layers);
 
 /// The material of the strip that makes sigma_yy the same in both layers of a laminate under axial
 /// strain, so that an even pressure on its end leaves the end flat:

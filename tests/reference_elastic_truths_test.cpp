@@ -113,6 +113,18 @@ TEST(ElasticLaminate, ABalancedStripLeavesItsEndEvenlyPressed) {
     }
 }
 
+TEST(ElasticLaminate, StiffnessIsThatOfItsLayers) {
+    const ElasticLaminate exact(laminate());
+    const double mean = 0.25 * exact.stress(0.0).yy + 0.75 * exact.stress(100 * um).yy;
+    const double stiffness = axial_stiffness({{binder(), 0.25}, {ap(), 0.75}});
+    EXPECT_NEAR(mean / -1e-3 / stiffness, 1.0, 1e-13);
+    // One layer in three parts is one layer.
+    const double split = axial_stiffness({{binder(), 0.25}, {ap(), 0.5}, {ap(), 0.25}});
+    EXPECT_NEAR(split / stiffness, 1.0, 1e-13);
+    EXPECT_THROW(axial_stiffness({{ap(), 0.5}, {binder(), 0.4}}), std::invalid_argument);
+    EXPECT_THROW(axial_stiffness({}), std::invalid_argument);
+}
+
 TEST(ElasticLaminate, RefusesByName) {
     LaminateConditions bad = laminate();
     bad.strip = bad.period;
