@@ -4,13 +4,14 @@
 /// back all the time. A cell that turns to binder and keeps the 100 MPa that AP held in shear can
 /// relax it only through a huge strain: computations of packs blow up on this. Cells that an
 /// interface cuts hold both materials by volume, in series, and what a cell can no longer hold it
-/// gives up. The peak strain of the first 30 ms is then free of jumps from step to step, and the
+/// gives up. The peak strain of the first 10 ms is then free of jumps from step to step, and the
 /// shear stress of binder stays that of binder.
 
 #include <algorithm>
 #include <cmath>
 
 #include "cases/catalogue/registry.hpp"
+#include "cases/catalogue/terms.hpp"
 #include "cases/catalogue/units.hpp"
 #include "reports/process.hpp"
 #include "solver/scene/read_scene.hpp"
@@ -26,7 +27,8 @@ using reports::at_most;
 Scene scene(int columns) {
     Scene result = read_scene(reports::source_path("cases/scenes/pack.toml"));
     result.domain.nx = columns;
-    result.time.end = 0.03;
+    result.time.step = 50e-6;
+    result.time.end = 0.01;
     return result;
 }
 
@@ -73,20 +75,21 @@ std::vector<reports::Study> studies() {
     reports::Study study("pack-burning");
     study.grids({120})
         .measure(measure)
+        .covers({term::moving_morphology, term::elastic_interface, term::stress_advection})
         .bound("peak strain, largest change in a step", 120, at_most(0.05),
-               "0.07 where cut cells take the arithmetic mean of the shear moduli, 0.01 here")
+               "0.13 where cut cells take the arithmetic mean of the shear moduli, 0.024 here")
         .bound("peak strain", 120, at_most(1.0),
-               "the arithmetic mean has 4.6 after 10 ms: AP's stress left in binder")
+               "the arithmetic mean has 4.6 after 4 ms: AP's stress left in binder; 0.52 here")
         .bound("shear stress in binder [MPa]", 120, at_most(10.0),
-               "2 mu times a strain of 1, doubled; AP beside it holds 100");
+               "2 mu times a strain of 1, doubled; 49 where a cell that softens gives up nothing");
     return {study};
 }
 
 const Registered here{
     {.name = "pack-burning",
      .figure = "-",
-     .shows = "72 % pack, 30 ms: no cell keeps a stress its material cannot carry",
-     .cost = {.verify = 120.0},
+     .shows = "72 % pack, 10 ms: no cell keeps a stress its material cannot carry",
+     .cost = {.verify = 15.0},
      .studies = studies}};
 
 }  // namespace

@@ -3,7 +3,7 @@
 /// Where interface and surface meet, the stress of a sandwich is singular, and the binder is nearly
 /// incompressible. That is where codes zigzag: velocities that alternate from node to node,
 /// pressures like a checkerboard, strains that tell more of the grid than of the solid. Here the
-/// thermo-mechanical sandwich burns to its steady state on 64 and on 128 columns (96 rows,
+/// thermo-mechanical sandwich burns for 25 ms, 75 um, on 64 and on 128 columns (96 rows,
 /// clustering 2), and what could ring is measured.
 ///
 /// The measure is the fourth difference along a row, relative to the values themselves: 1 for a
@@ -15,6 +15,7 @@
 #include "cases/catalogue/registry.hpp"
 #include "cases/catalogue/sandwich.hpp"
 #include "cases/catalogue/sandwich_measures.hpp"
+#include "cases/catalogue/terms.hpp"
 #include "cases/catalogue/units.hpp"
 #include "reports/alternation.hpp"
 
@@ -32,7 +33,7 @@ constexpr int nodes_about_the_corner = 3;
 constexpr int rows_below_the_surface = 24;
 
 Scene scene(int columns) {
-    Scene result = sandwich({"time.end=0.05 s", "time.step=80 us"});
+    Scene result = sandwich({"time.end=0.025 s", "time.step=80 us"});
     result.domain.nx = columns;
     return result;
 }
@@ -97,15 +98,17 @@ reports::Measurement measure(int columns) {
 
 std::vector<reports::Study> studies() {
     reports::Study study("sandwich-burning");
-    study.grids({64, 128}).measure(measure);
+    study.grids({64, 128}).measure(measure).covers({term::incompressibility,
+                                                    term::elastic_interface, term::equilibrium,
+                                                    term::traction, term::deformation});
     for (const int columns : {64, 128})
         study
             .bound("surface displacement, alternation", columns, at_most(0.01),
                    "a ripple one would see; 0.011 on 64 columns without viscosity and patches")
             .bound("velocity, alternation", columns, at_most(0.05),
-                   "0.85 on 64 columns and 0.41 on 128 without viscosity and patches")
+                   "0.80 on 64 columns and 0.36 on 128 without viscosity and patches")
             .bound("binder pressure, alternation", columns, at_most(0.02),
-                   "0.11 on 64 columns and 0.07 on 128 without patches");
+                   "0.08 on 64 columns and 0.06 on 128 without patches");
     study.bound("strain about the peak, against 64 columns", 128, between(0.95, 1.05),
                 "a mean over a fixed radius converges where the peak does not");
     return {study};
@@ -115,7 +118,7 @@ const Registered here{
     {.name = "sandwich-burning",
      .figure = "-",
      .shows = "burning sandwich: no zigzag, no checkerboard, strain that converges",
-     .cost = {.verify = 120.0},
+     .cost = {.verify = 12.0},
      .studies = studies}};
 
 }  // namespace

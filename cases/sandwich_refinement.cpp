@@ -13,19 +13,19 @@
 /// interface the surface burns a notch, where nothing is smooth. (Steps of 80 us on 192 rows would
 /// leave 0.1 K of the ringing that Crank-Nicolson answers the sudden flux with.)
 ///
-/// *Columns*: three things meet where interface and surface do, and none of them is smooth.
+/// *Columns*: two things meet where interface and surface do, and neither is smooth.
 /// - Stress is singular, r^(lambda - 1) with lambda = 0.595. Means over a fixed box beside the
 /// corner
 ///   exist; finite elements give them at order 2 lambda = 1.19, the singularity once in the stress
 ///   and once in the dual problem. An element that locks does not: q1 shows 0.6, or no order.
 /// - The surface burns a notch one cell wide at first: AP beside hot binder burns faster than AP
 ///   alone, and the node on the interface burns as the mean of both.
-/// - T behaves as r ln r where flux and q_s rho r_b jump.
-/// The last two are not asymptotic on any grid one would use: from halving to halving T_s on the
-/// axis rises by 0.6, 0.7, 0.7 K and the notch deepens by 0.4, 0.6, 0.6 um (without mechanics the
-/// order of these differences climbs to 0.5 at 512 columns). What is gated of them is their size:
-/// what a user has to reckon with. The mean burn rate, to which they contribute from a few per cent
-/// of the surface, is found to 3 parts in 1000 by the coarsest grid.
+/// The second is not asymptotic on any grid one would use: from halving to halving T_s on the axis
+/// rises by 0.6, 0.7, 0.7 K and the notch deepens by 0.4, 0.6, 0.6 um (without mechanics the same,
+/// and the order of these differences climbs to 0.5 at 512 columns; on a surface held flat,
+/// cases/sandwich_thermal.cpp, the whole error is 0.1 K on 128 columns). What is gated of them is
+/// their size: what a user has to reckon with. The mean burn rate, to which the notch adds a few
+/// per cent of the surface, is found to 3 parts in 1000 by the coarsest grid.
 
 #include <algorithm>
 #include <cmath>
