@@ -33,8 +33,9 @@ endef
 .PHONY: help deps tools build test verify mutants figures bench format check-format tidy clean
 
 help:
-	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short)'
-	@echo 'make test     build, then run all tests'
+	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
+	@echo '              with a report to read: $(OUT)/verify/report.html'
+	@echo 'make test     build, then run the tests of the parts (JUnit XML: build/junit.xml)'
 	@echo 'make mutants  put seeded faults into a copy, one by one, and ask who sees them (hours; FAULTS=names)'
 	@echo 'make build    build/crawford'
 	@echo 'make figures  the figures of the paper, into $(OUT)/ (FIDELITY=draft|paper|fine, now $(FIDELITY))'
@@ -55,7 +56,7 @@ build: deps
 	@cmake --build --preset release --parallel $(JOBS)
 
 test: build
-	@ctest --preset release --parallel $(JOBS)
+	@ctest --preset release --label-exclude verify --parallel $(JOBS) --output-junit junit.xml
 
 verify: build
 	@build/crawford verify --out $(OUT)/verify

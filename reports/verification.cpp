@@ -41,7 +41,11 @@ void from_json(const Json& json, StudyRecord& s) {
 
 Coverage Verification::coverage() const {
     std::vector<CoveredBy> covered;
-    for (const auto& study : studies) covered.push_back({study.name, study.covers});
+    for (const auto& study : studies) {
+        auto at = std::ranges::find(covered, study.entry, &CoveredBy::study);
+        if (at == covered.end()) at = covered.insert(at, {study.entry, {}});
+        at->terms.insert(at->terms.end(), study.covers.begin(), study.covers.end());
+    }
     return {terms, std::move(covered)};
 }
 

@@ -31,6 +31,7 @@ struct Verification {
     std::vector<StudyRecord> studies;
     std::vector<GateResult> gates;
 
+    /// The terms that the entries of the catalogue cover, each by all its studies.
     Coverage coverage() const;
     /// Whether every gate was judged and has passed, and nothing is uncovered.
     bool passed() const;

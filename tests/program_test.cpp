@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -56,10 +57,10 @@ void expect_refused(const std::vector<std::string>& arguments, const std::string
 TEST_F(Program, ExplainsItselfToANewcomer) {
     const Finished help = crawford({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* word : {"list", "run", "verify", "burn", "Examples:", "Exit codes:",
+    for (const char* word : {"list", "run", "verify", "report", "burn", "Examples:", "Exit codes:",
                              "crawford burn cases/scenes/sandwich.toml"})
         EXPECT_THAT(help.output, HasSubstr(word));
-    for (const char* command : {"run", "verify", "burn"}) {
+    for (const char* command : {"run", "verify", "report", "burn"}) {
         const Finished more = crawford({command, "--help"});
         EXPECT_EQ(more.status, 0);
         EXPECT_THAT(more.output, HasSubstr("Examples:")) << command;
@@ -96,6 +97,7 @@ TEST_F(Program, NamesTheRightCommandOptionOrCase) {
 TEST_F(Program, RefusesGridsThatAreNone) {
     expect_refused({"verify", "slab", "--grids", "32,many"}, "--grids = 32,many");
     expect_refused({"verify", "slab", "--grids", "-32,64"}, "--grids holds -32");
+    expect_refused({"verify", "--grids", "31"}, "--grids = 31: no study has any of these grids");
 }
 
 TEST_F(Program, RefusesScenesBeforeAnythingIsWritten) {
@@ -160,14 +162,63 @@ TEST_F(Program, TellsProgressOnlyWhenItMay) {
     EXPECT_THAT(quiet.output, Not(HasSubstr("done in")));
 }
 
-TEST_F(Program, SaysWithCodeOneThatAGateFellShort) {
+TEST_F(Program, ListsStudiesForPrograms) {
+    std::istringstream lines(crawford({"list", "--studies"}).output);
+    std::set<std::string> names;
+    std::string name;
+    for (double seconds = 0.0; lines >> name >> seconds;) {
+        EXPECT_GT(seconds, 0.0) << name;
+        EXPECT_TRUE(names.insert(name).second) << name << " stands twice";
+    }
+    EXPECT_TRUE(lines.eof()) << "a line is not a name and a number";
+    EXPECT_TRUE(names.contains("slab"));
+    EXPECT_FALSE(names.contains("fig03"));
+}
+
+/// One study of the slab, on grids that take no time.
+const std::string one = "slab, AP, beta = 3 alpha K";
+
+TEST_F(Program, LeavesAQuickLookUngatedAndSaysSo) {
     const Finished verify =
-        crawford({"verify", "slab", "--grids", "16,32", "--quiet", "--out", out()});
-    EXPECT_EQ(verify.status, 1) << "two grids give no order, and 128 was not run";
-    EXPECT_THAT(verify.output, HasSubstr("FAIL: grid 128 was not run"));
+        crawford({"verify", one, "--grids", "16,32", "--quiet", "--out", out()});
+    EXPECT_EQ(verify.status, 0) << verify.output;
+    EXPECT_THAT(verify.output, HasSubstr("not gated: too few grids"));
+    EXPECT_THAT(verify.output, HasSubstr("no verification"));
     const auto results = nlohmann::json::parse(std::ifstream(out_ / "verify.json"));
     EXPECT_FALSE(results.at("passed").get<bool>());
     EXPECT_FALSE(results.at("revision").get<std::string>().empty());
+    ASSERT_EQ(results.at("studies").size(), 1U) << "one study of the entry was named";
+    EXPECT_EQ(results.at("studies").at(0).at("command"),
+              "build/crawford verify '" + one + "' --grids 16,32");
+    EXPECT_EQ(results.at("studies").at(0).at("source"), "cases/slab.cpp");
+    for (const auto& gate : results.at("gates"))
+        EXPECT_EQ(gate.at("verdict"), "too few grids to gate");
+}
+
+TEST_F(Program, RebuildsTheReportFromItsResults) {
+    expect_refused({"report", "--out", out()}, "verify.json cannot be read; crawford verify --out");
+    crawford({"verify", one, "--grids", "16,32", "--quiet", "--out", out()});
+    const auto page = out_ / "report.html";
+    const auto text = [&] {
+        std::ostringstream html;
+        html << std::ifstream(page).rdbuf();
+        return html.str();
+    };
+    const auto written = text();
+    EXPECT_THAT(written, HasSubstr("how exact is the solver"));  // the page of cases/slab.cpp
+    fs::remove(page);
+    const Finished report = crawford({"report", "--out", out()});
+    EXPECT_EQ(report.status, 0) << report.output;
+    EXPECT_THAT(report.output, HasSubstr("report.html"));
+    EXPECT_EQ(text(), written);
+}
+
+TEST_F(Program, SaysWithCodeOneThatAGateFellShort) {
+    const Finished verify = crawford({"verify", one, "--grids", "1", "--quiet", "--out", out()});
+    EXPECT_EQ(verify.status, 1) << "a slab of one cell finds no steady state";
+    EXPECT_THAT(verify.output, HasSubstr("FAIL: " + one + ": T, L2: no error from grid 1"));
+    const auto results = nlohmann::json::parse(std::ifstream(out_ / "verify.json"));
+    EXPECT_FALSE(results.at("passed").get<bool>());
 }
 
 }  // namespace

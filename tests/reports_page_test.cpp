@@ -54,6 +54,7 @@ Verification verified(double order) {
         .bound("T_s", 64, between(0, 2), "any");
     Verification v;
     v.manifest = {{"revision", "abc"}, {"wall_seconds", 3.0}, {"machine", {{"cores", 2}}}};
+    v.whole = true;
     v.terms = {"heat", "stress"};
     v.studies = {{.name = "rod, <thin>",
                   .entry = "rod",
@@ -115,6 +116,8 @@ TEST(Report, PutsFirstAndLinksWhatFellShort) {
     EXPECT_THAT(html, HasSubstr("article id=\"gate-1\" class=\"gate fail\""));
     EXPECT_THAT(html, HasSubstr("no study covers &quot;stress&quot;"));
     EXPECT_THAT(html, HasSubstr("<tr class=\"fail\"><th>stress"));
+    v.whole = false;
+    EXPECT_THAT(page::report(v), Not(HasSubstr("no study covers"))) << "some were left out";
     v.gates[0].gated = false;
     EXPECT_THAT(page::report(v), HasSubstr("<span class=\"mark open\">not gated</span>"));
 }

@@ -39,7 +39,7 @@ that it does not have.
 Examples:
   crawford verify
   crawford verify --grids 32,64                   a quick look
-  crawford verify slab 'heat, smooth'             entries of the catalogue, or single studies
+  crawford verify heat 'slab, AP, beta = alpha K' entries of the catalogue, single studies
   crawford verify slab --grids 32,64,128,256,512)";
 
 inline constexpr auto report = "Write the report of a verify anew from its verify.json";

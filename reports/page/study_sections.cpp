@@ -35,19 +35,7 @@ Html study_section(const Verification& v, const StudyRecord& study) {
 }
 
 bool fell_short(const Verification& v, const std::string& entry) {
-    return std::ranges::any_of(v.studies, [&](const StudyRecord& study) {
-        return study.entry == entry &&
-               std::ranges::any_of(gates_of(v, study.name), &GateResult::fell_short);
-    });
-}
-
-std::vector<std::string> entries_of(const Verification& v) {
-    std::vector<std::string> entries;
-    for (const auto& study : v.studies)
-        if (std::ranges::find(entries, study.entry) == entries.end())
-            entries.push_back(study.entry);
-    std::ranges::stable_partition(entries, [&](const auto& entry) { return fell_short(v, entry); });
-    return entries;
+    return std::ranges::any_of(gates_of(v, entry), &GateResult::fell_short);
 }
 
 Html entry_section(const Verification& v, const std::string& entry) {
@@ -59,14 +47,16 @@ Html entry_section(const Verification& v, const std::string& entry) {
                     element("p", {{"class", "facts"}}, element("code", {}, study.source));
         text += study_section(v, study);
     }
-    return element("section", {{"class", "entry"}}, text) + "\n";
+    return element("section", {{"id", anchor_of_entry(entry)}, {"class", "entry"}}, text) + "\n";
 }
 
 }  // namespace
 
 Html study_sections(const Verification& v) {
     Html html;
-    for (const auto& entry : entries_of(v)) html += entry_section(v, entry);
+    auto entries = entries_of(v);
+    std::ranges::stable_partition(entries, [&](const auto& entry) { return fell_short(v, entry); });
+    for (const auto& entry : entries) html += entry_section(v, entry);
     return html;
 }
 

@@ -40,6 +40,9 @@ th { font-weight: 600; }
 .shortcomings { padding-left: 1.1rem; }
 .shortcomings li { overflow-wrap: anywhere; }
 .studies tr { border-bottom: 1px solid var(--line); }
+.studies td:first-child { white-space: nowrap; }
+.studies .fail a { color: var(--fail); }
+.studies th { white-space: nowrap; }
 .studies .count { text-align: right; white-space: nowrap; }
 .manifest th { color: var(--soft); white-space: nowrap; }
 .manifest td { overflow-wrap: anywhere; }
@@ -49,6 +52,7 @@ th { font-weight: 600; }
 .coverage td { text-align: center; padding: .1rem .25rem; border-left: 1px solid var(--line); }
 .coverage th { font-weight: normal; white-space: nowrap; vertical-align: bottom; }
 .coverage .upright { writing-mode: vertical-rl; transform: rotate(180deg); padding: .25rem .1rem; }
+.coverage tr.aside { color: var(--soft); }
 .coverage tr.fail { background: var(--fail-panel); }
 .gates { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr));
   gap: .8rem; margin-top: .6rem; }
@@ -81,14 +85,17 @@ svg .allowed { fill: var(--pass); opacity: .25; }
     --accent: #0b5fa5; --pass: #1a7a3a; --fail: #b01f18; --open: #755200; --fail-panel: #fdecea;
   }
   @page { margin: 14mm; }
-  body { font-size: 9.5pt; }
-  main { max-width: none; padding: 0; }
+  html { font-size: 11px; }
+  body { font-size: 1rem; }
+  main { max-width: none; padding: 0 1px; }
   .gates { grid-template-columns: 1fr 1fr; gap: .4rem; }
-  .gate, .coverage, .studies tr { break-inside: avoid; }
+  .gate, #coverage, .studies tr { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
   a { color: inherit; }
-  svg { max-height: 130px; }
-  .coverage { font-size: 6.5pt; }
+  svg { width: 165px; }
+  .evidence { flex-wrap: nowrap; gap: .2rem; }
+  .numbers th, .numbers td { padding: 0 .3rem; }
+  .coverage { font-size: .75rem; }
   .wide { overflow: visible; }
 }
 )css";

@@ -15,6 +15,7 @@ std::string number(double value, int digits) {
 }
 
 std::string duration(double seconds) {
+    if (seconds < 1.0) return fmt::format("{:.2f} s", seconds);
     if (seconds < 100.0) return fmt::format("{:.1f} s", seconds);
     const long whole = std::lround(seconds);
     return fmt::format("{} min {} s", whole / 60, whole % 60);
