@@ -303,8 +303,9 @@ TEST(SceneRefuses, UnknownKeysWithTheNearestName) {
 TEST(SceneRefuses, UnknownWordsWithTheNearest) {
     expect_refused({"numerics.element=bbra"},
                    {"numerics.element", "bbra", "q1", "did you mean \"bbar\"?"});
-    expect_refused({"morphology.kind=pack"},
-                   {"morphology.kind", "\"pack\"", "\"uniform\", \"sandwich\", \"discs\""});
+    expect_refused({"morphology.kind=packs"},
+                   {"morphology.kind", "\"packs\"",
+                    "\"uniform\", \"sandwich\", \"discs\", \"pack\"; did you mean"});
 }
 
 TEST(SceneRefuses, MissingKeys) {

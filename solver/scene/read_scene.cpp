@@ -115,7 +115,7 @@ Scene scene_of(const toml::table& text, const std::string& where,
     root.finish();
     read_part(root, "domain", scene.domain);
     const std::vector<Material> materials = read_materials(root);
-    scene.morphology = read_morphology(root, materials, scene.domain.depth, directory);
+    scene.morphology = read_morphology(root, materials, scene.domain, directory);
     read_physics(root, scene.physics);
     read_surface(root, scene, materials);
     read_part(root, "bottom", scene.bottom);

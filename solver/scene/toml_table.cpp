@@ -108,8 +108,8 @@ void TomlTable::quantity(std::string_view key, std::optional<double>& value, con
     if (has(key)) value = read;
 }
 
-void TomlTable::number(std::string_view key, double& value, const Limits& limits) {
-    const toml::node* node = find(key, Need::optional);
+void TomlTable::number(std::string_view key, double& value, const Limits& limits, Need need) {
+    const toml::node* node = find(key, need);
     if (node == nullptr) return;
     if (!node->is_number()) refuse_type(key, "a number without quotes and unit");
     const double read = *node->value<double>();

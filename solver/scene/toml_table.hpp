@@ -34,7 +34,7 @@ public:
     void quantity(std::string_view key, double& value, const Limits&, Need = Need::optional);
     void quantity(std::string_view key, std::optional<double>& value, const Limits&);
     /// A pure number.
-    void number(std::string_view key, double& value, const Limits&);
+    void number(std::string_view key, double& value, const Limits&, Need = Need::optional);
     void number(std::string_view key, std::optional<double>& value, const Limits&);
     void integer(std::string_view key, int& value, const IntegerLimits&, Need = Need::optional);
     void flag(std::string_view key, bool& value);
