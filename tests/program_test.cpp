@@ -130,6 +130,23 @@ TEST_F(Program, BurnsASceneIntoItsDirectory) {
     EXPECT_EQ(manifest.at("command").at(1), "burn");
 }
 
+TEST_F(Program, WritesAPackThatASceneReads) {
+    const std::string file = (out_ / "pack.csv").string();
+    const std::string recipe = scenes + "random_pack.toml";
+    const Finished made = crawford({"pack", recipe, "--set", "morphology.seed=3", "--out", file});
+    EXPECT_EQ(made.status, 0) << made.output;
+    EXPECT_THAT(made.output, HasSubstr("40 discs, area fraction 0.72, smallest gap 3."));
+    EXPECT_TRUE(fs::exists(file));
+    const Finished burnt =
+        crawford({"burn", scenes + "pack.toml", "--set", "morphology.file=" + file, "--set",
+                  "morphology.period=774.5 um", "--set", "time.end=25 us", "--out", out_.string()});
+    EXPECT_EQ(burnt.status, 0) << burnt.output;
+    const Finished jammed = crawford({"pack", recipe, "--set", "morphology.area_fraction=0.9"});
+    EXPECT_EQ(jammed.status, 2);
+    EXPECT_THAT(jammed.output, HasSubstr("jammed at an area fraction of 0.7"));
+    EXPECT_EQ(crawford({"pack", scenes + "slab.toml"}).status, 2);
+}
+
 TEST_F(Program, SaysWithCodeThreeThatTheNumbersFailed) {
     const Finished burn =
         crawford({"burn", scenes + "slab.toml", "--set", "time.step=10 ms", "--set",

@@ -8,16 +8,21 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "solver/errors.hpp"
+#include "solver/packing/event_queue.hpp"
 #include "solver/packing/hard_discs.hpp"
 #include "solver/packing/pack.hpp"
 #include "solver/packing/random.hpp"
+#include "solver/scene/read_discs.hpp"
 #include "solver/scene/read_scene.hpp"
+#include "solver/scene/write_discs.hpp"
 #include "solver/scene/write_scene.hpp"
 
 namespace crawford {
@@ -59,6 +64,24 @@ TEST(Contact, ReboundsInTheFrameOfTheRims) {
     // Nothing grows: the energy of normal motion, mu w^2/2, is kept.
     const double still = impulse({1.2, 1.6, -1.8, -2.4, 2, 0}, 2, 6);
     EXPECT_DOUBLE_EQ(-3 + still / 2 + still / 6, 3);
+}
+
+TEST(EventQueue, KnowsTheNextAndOfEqualTimesTheFirst) {
+    EventQueue queue;
+    queue.reset(5);
+    EXPECT_EQ(queue.time(queue.next()), never);
+    queue.set(4, 2.0);
+    EXPECT_EQ(queue.next(), 4u);
+    queue.set(3, 1.0);
+    queue.set(1, 1.0);
+    EXPECT_EQ(queue.next(), 1u);
+    queue.set(2, 1.0);
+    EXPECT_EQ(queue.next(), 1u);
+    queue.set(1, 3.0);
+    EXPECT_EQ(queue.next(), 2u);
+    EXPECT_EQ(queue.time(1), 3.0);
+    queue.reset(1);
+    EXPECT_EQ(queue.time(queue.next()), never);
 }
 
 TEST(Random, IsTheGeneratorOfTheStandardAndItsUpper53Bits) {
@@ -346,6 +369,18 @@ TEST(Pack, RefusesWhatJamsWithTheFractionReached) {
     EXPECT_NO_THROW(random_pack(recipe));
 }
 
+TEST(Pack, IsNotGivenUpWhileThereIsRoom) {
+    // The chequerboard, short of jamming by 1e-5 of its fraction: 5e-6 of its size.
+    const double radius = 20e-6;
+    const double fraction = pi / 4 * (1 - 1e-5);
+    const PackRecipe pair{.width = radius * std::sqrt(2 * pi / fraction),
+                          .discs = {{radius, 2}},
+                          .area_fraction = fraction,
+                          .smallest_gap = 0.0,
+                          .seed = 1};
+    EXPECT_GE(smallest_gap(random_pack(pair), pair.width), 0.0);
+}
+
 TEST(Pack, RefusesDiscsThatDoNotFit) {
     PackRecipe recipe = paper();
     recipe.width = 79e-6;
@@ -428,6 +463,17 @@ TEST(PackScene, BecomesDiscsAndIsWrittenAsSuch) {
     const Scene again = parse_scene(to_toml(scene));
     EXPECT_EQ(fingerprint(std::get<Discs>(again.morphology.shape)), fingerprint(shape));
     EXPECT_EQ(std::get<Discs>(again.morphology.shape).period, shape.period);
+}
+
+TEST(PackScene, IsWrittenAsATableWithoutLoss) {
+    Discs pack = random_pack(paper());
+    pack.source = "somewhere\nelse";
+    const std::string file = testing::TempDir() + "pack_scene_table.csv";
+    std::ofstream(file) << discs_csv(pack);
+    const std::vector<Disc> read = read_discs(file);
+    std::filesystem::remove(file);
+    EXPECT_EQ(fingerprint({.discs = read, .period = pack.period}), fingerprint(pack));
+    EXPECT_EQ(read[39].radius, pack.discs[39].radius);
 }
 
 TEST(PackScene, TakesSeedAndUnitsOfAnyKind) {

@@ -23,11 +23,13 @@ struct Parser {
     VerifyOptions verify;
     ReportOptions report;
     BurnSceneOptions burn;
+    PackOptions pack;
     CLI::App* list_command = nullptr;
     CLI::App* run_command = nullptr;
     CLI::App* verify_command = nullptr;
     CLI::App* report_command = nullptr;
     CLI::App* burn_command = nullptr;
+    CLI::App* pack_command = nullptr;
 
     Parser() {
         app.set_version_flag("--version",
@@ -41,6 +43,7 @@ struct Parser {
         add_verify();
         add_report();
         add_burn();
+        add_pack();
     }
 
     void add_list() {
@@ -85,17 +88,29 @@ struct Parser {
         burn_command = app.add_subcommand("burn", help::burn);
         burn_command->add_option("SCENE", burn.scene, "Scene file (TOML), see cases/scenes/")
             ->required();
-        burn_command
-            ->add_option("--set", burn.set,
-                         "Set a key of the scene, e.g. surface.pressure=\"3 MPa\"")
-            ->type_name("KEY=VALUE")
-            ->allow_extra_args(false);
+        add_set(burn_command, burn.set, "surface.pressure=\"3 MPa\"");
         add_out(burn_command, burn.out, "out/<name of the scene>");
         burn_command->add_option("--restart", burn.restart, "Go on from a checkpoint of this scene")
             ->type_name("FILE");
         burn_command->add_flag("--timing", burn.timing, "Print where the time went");
         add_quiet(burn_command, burn.quiet);
         burn_command->footer(help::burn_examples);
+    }
+
+    void add_pack() {
+        pack_command = app.add_subcommand("pack", help::pack);
+        pack_command->add_option("SCENE", pack.scene, "Scene file (TOML) with a pack")->required();
+        add_set(pack_command, pack.set, "morphology.seed=2");
+        pack_command
+            ->add_option("--out", pack.out, "Table to write, else out/<name of the scene>.csv")
+            ->type_name("FILE");
+        pack_command->footer(help::pack_examples);
+    }
+
+    static void add_set(CLI::App* command, std::vector<std::string>& set, const char* example) {
+        command->add_option("--set", set, fmt::format("Set a key of the scene, e.g. {}", example))
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
     }
 
     static CLI::Option* add_out(CLI::App* command, std::filesystem::path& out, const char* usual) {
@@ -147,7 +162,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
     const CLI::App& command = parser.named();
     if (&command == &parser.app)
         throw InputError(
-            "a command is missing: list, run, verify, report or burn; see crawford --help");
+            "a command is missing: list, run, verify, report, burn or pack; see crawford --help");
     throw InputError(fmt::format("{}; see crawford {} --help", error.what(), command.get_name()));
 }
 
@@ -158,6 +173,7 @@ Job job_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) 
         return [parser, arguments] { return run(parser->run, arguments); };
     if (parser->verify_command->parsed())
         return [parser, arguments] { return verify(parser->verify, arguments); };
+    if (parser->pack_command->parsed()) return [parser] { return pack(parser->pack); };
     return [parser, arguments] { return burn(parser->burn, arguments); };
 }
 

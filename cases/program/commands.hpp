@@ -47,6 +47,12 @@ struct BurnSceneOptions {
     bool quiet = false;
 };
 
+struct PackOptions {
+    std::filesystem::path scene;
+    std::vector<std::string> set;  ///< "dotted.key=value"
+    std::filesystem::path out;     ///< out/<name of the scene>.csv if empty
+};
+
 struct ListOptions {
     bool studies = false;  ///< only these, as "name seconds" lines for programs
 };
@@ -68,5 +74,9 @@ int report(const ReportOptions& options);
 
 /// Burns a scene.
 int burn(const BurnSceneOptions& options, const CommandLine& command);
+
+/// Writes the discs of a scene as CSV.
+/// \throws InputError if the scene is wrong or has none.
+int pack(const PackOptions& options);
 
 }  // namespace crawford

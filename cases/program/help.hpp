@@ -60,4 +60,13 @@ Examples:
   crawford burn cases/scenes/sandwich.toml --out out/s --set 'time.end="0.3 s"' \
       --restart out/s/sandwich_checkpoint_004000.h5)";
 
+inline constexpr auto pack = "Write the discs of a scene, as a rule a random pack, as CSV";
+
+inline constexpr auto pack_examples = R"(
+The table is what a scene with kind = "discs" reads. docs/packs.md says how packs are made.
+
+Examples:
+  crawford pack cases/scenes/random_pack.toml --set morphology.seed=7 --out pack7.csv
+  crawford pack cases/scenes/random_pack.toml --set morphology.area_fraction=0.6)";
+
 }  // namespace crawford::help
