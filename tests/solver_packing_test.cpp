@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "solver/errors.hpp"
+#include "solver/packing/apportion.hpp"
 #include "solver/packing/event_queue.hpp"
 #include "solver/packing/hard_discs.hpp"
 #include "solver/packing/pack.hpp"
@@ -390,6 +391,25 @@ TEST(Pack, RefusesDiscsThatDoNotFit) {
     EXPECT_THAT(refusal_of(recipe), testing::HasSubstr("240 um x 53.6165 um"));
 }
 
+std::vector<int> counts_of(const std::vector<SizeShare>& shares, int count) {
+    std::vector<int> counts;
+    for (const DiscSize& size : apportion(shares, count)) counts.push_back(size.count);
+    return counts;
+}
+
+TEST(Apportion, GivesWholeDiscsByArea) {
+    EXPECT_THAT(counts_of({{2e-6, 1}, {1e-6, 1}}, 50), testing::ElementsAre(10, 40));
+    // the paper's own areas give its counts back, whatever the shares add up to
+    const double a = 38.4 * 38.4 * 21, b = 28.8 * 28.8 * 11, c = 17.7 * 17.7 * 8;
+    EXPECT_THAT(counts_of({{38.4e-6, a}, {28.8e-6, b}, {17.7e-6, c}}, 40),
+                testing::ElementsAre(21, 11, 8));
+    // 3.333, 3.333, 3.333: the disc that is left goes to the first
+    EXPECT_THAT(counts_of({{1e-6, 1}, {1e-6, 1}, {1e-6, 1}}, 10), testing::ElementsAre(4, 3, 3));
+    // 7.2, 1.2, 1.6: to the largest remainder
+    EXPECT_THAT(counts_of({{1e-6, 72}, {1e-6, 12}, {1e-6, 16}}, 10), testing::ElementsAre(7, 1, 2));
+    EXPECT_THROW(apportion({{1e-6, 1}, {100e-6, 1}}, 40), InputError);
+}
+
 TEST(Pack, OfOneDiscIsADisc) {
     const PackRecipe recipe{.width = 100e-6,
                             .discs = {{40e-6, 1}},
@@ -465,6 +485,26 @@ TEST(PackScene, BecomesDiscsAndIsWrittenAsSuch) {
     EXPECT_EQ(std::get<Discs>(again.morphology.shape).period, shape.period);
 }
 
+TEST(PackScene, TakesADistributionOfSizes) {
+    const Scene scene =
+        parse_scene(scene_text, ".",
+                    {"morphology.discs=[{radius='30 um', share=0.8}, {radius='15 um', share=0.2}]",
+                     "morphology.count=40", "morphology.smallest_gap=1 um"});
+    const auto& shape = std::get<Discs>(scene.morphology.shape);
+    EXPECT_THAT(shape.source, testing::HasSubstr("20 of 30 um, 20 of 15 um"));
+    EXPECT_NEAR(area_fraction(shape, 240e-6), 0.72, 1e-15);
+    try {
+        parse_scene(
+            scene_text, ".",
+            {"morphology.discs=[{radius='20 um', share=0.999}, {radius='10 um', share=0.001}]",
+             "morphology.count=40"});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("morphology.count = 40 is too small: the share"));
+    }
+}
+
 TEST(PackScene, IsWrittenAsATableWithoutLoss) {
     Discs pack = random_pack(paper());
     pack.source = "somewhere\nelse";
@@ -506,6 +546,8 @@ TEST(PackScene, IsRefusedInOneLine) {
     EXPECT_THAT(refusal("morphology.discs=[{radius='9 um'}]"), HasSubstr("[0].count is missing"));
     EXPECT_THAT(refusal("morphology.discs=[{radius='9 um',count=2000},{radius='8 um',count=1}]"),
                 HasSubstr("asks for more than 2000 discs"));
+    EXPECT_THAT(refusal("morphology.count=40"),
+                HasSubstr("discs[0].count is not a key of a scene; known: radius, share"));
     EXPECT_THAT(refusal("morphology.seed=-1"), HasSubstr("seed = -1 is outside the limits"));
     EXPECT_THAT(refusal("morphology.file=a.csv"), HasSubstr("file is not a key"));
 }

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <limits>
 #include <string>
 
 #include "solver/errors.hpp"
-#include "solver/packing/pack.hpp"
 #include "solver/scene/read_discs.hpp"
 #include "solver/scene/read_materials.hpp"
+#include "solver/scene/read_pack.hpp"
 #include "solver/scene/scene_keys.hpp"
 
 namespace crawford {
@@ -80,50 +78,14 @@ Morphology discs(TomlTable& table, const std::vector<Material>& materials, doubl
     return morphology;
 }
 
-/// What the manifest says of a pack beside its discs.
-std::string origin(const PackRecipe& recipe) {
-    constexpr double micrometre = 1e-6;  // [m]
-    std::string sizes;
-    for (const DiscSize& size : recipe.discs)
-        sizes += fmt::format("{} of {:.6g} um, ", size.count, size.radius / micrometre);
-    return fmt::format("pack: {}area fraction {:.6g}, gaps of at least {:.6g} um, seed {}", sizes,
-                       recipe.area_fraction, recipe.smallest_gap / micrometre, recipe.seed);
-}
-
-std::vector<DiscSize> disc_sizes(TomlTable& table) {
-    constexpr int most_discs = 2000;  // minutes; the time grows faster than the number
-    std::vector<DiscSize> sizes;
-    int discs = 0;
-    for (TomlTable& row : table.tables("discs")) {
-        DiscSize size{};
-        row.quantity("radius", size.radius, keys::length, Need::required);
-        row.integer("count", size.count, {1, most_discs}, Need::required);
-        row.finish();
-        discs += size.count;
-        if (discs > most_discs)
-            table.refuse("discs", fmt::format("asks for more than {} discs", most_discs));
-        sizes.push_back(size);
-    }
-    if (sizes.empty())
-        table.refuse("discs", "is missing; give [{ radius = \"38.4 um\", count = 21 }, ...]");
-    return sizes;
-}
-
 Morphology pack(TomlTable& table, const std::vector<Material>& materials, double width) {
-    int seed = 1;
-    PackRecipe recipe{
-        .width = width, .discs = {}, .area_fraction = 0.0, .smallest_gap = 0.0, .seed = 0};
-    table.number("area_fraction", recipe.area_fraction, {"", 0.01, 0.99}, Need::required);
-    table.quantity("smallest_gap", recipe.smallest_gap, {"m", 0.0, 1.0}, Need::required);
-    table.integer("seed", seed, {0, std::numeric_limits<int>::max()});
+    const PackRecipe recipe = read_recipe(table, width);
     const auto particle = find_material(table, "particle", materials, "AP");
     const auto matrix = find_material(table, "matrix", materials, "binder");
-    recipe.discs = disc_sizes(table);
-    recipe.seed = static_cast<std::uint64_t>(seed);
     Morphology morphology = finished(table, Uniform{}, {particle, matrix});
     try {
         Discs shape = random_pack(recipe);
-        shape.source = origin(recipe);
+        shape.source = description(recipe);
         morphology.shape = std::move(shape);
     } catch (const InputError& error) {
         table.refuse("area_fraction", fmt::format("cannot be had: {}", error.what()));

@@ -10,11 +10,10 @@
 namespace crawford {
 
 /// Reads [morphology]: kind = "uniform" {material}, "sandwich" {strip, inner, outer}, "discs"
-/// {file, or discs = [{x, y, radius}, ...] and source; period, particle, matrix}, or "pack" {discs
-/// =
-/// [{radius, count}, ...], area_fraction, smallest_gap, seed, particle, matrix}, which becomes the
-/// discs of a random pack. Files are relative to `directory`; the period of discs is the domain's
-/// depth unless given. Throws InputError.
+/// {file, or discs = [{x, y, radius}, ...] and source; period, particle, matrix}, or "pack"
+/// {particle, matrix, and what read_pack.hpp reads}, which becomes the discs of a random pack.
+/// Files are relative to `directory`; the period of discs is the domain's depth unless given.
+/// Throws InputError.
 Morphology read_morphology(TomlTable& scene, const std::vector<Material>& materials,
                            const Domain& domain, const std::filesystem::path& directory);
 
