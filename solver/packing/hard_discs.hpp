@@ -42,8 +42,8 @@ public:
     void set_energy(double energy);
 
     /// Moves on for `duration`, which may be infinite where nothing grows, or until there have been
-    /// `most` collisions, with d(size)/dt = `growth`. A collision conserves momentum, and energy
-    /// too where nothing grows; growth does work. \returns the number of collisions
+    /// `most` collisions, with d(size)/dt = `growth`; returns the number of collisions. A collision
+    /// conserves momentum, and energy too where nothing grows; growth does work.
     long advance(double growth, double duration, long most = std::numeric_limits<long>::max());
 
 private:
