@@ -44,8 +44,15 @@ auto derivatives(const Field& field, double x, double y) {
     std::array<Derivatives, std::tuple_size_v<std::remove_const_t<decltype(values)>>> result;
     for (std::size_t k = 0; k < result.size(); ++k) {
         const auto& f = values[k];
-        result[k] = {f.derivative(0, 0), f.derivative(1, 0), f.derivative(0, 1), 0.0,
-                     f.derivative(2, 0), f.derivative(1, 1), f.derivative(0, 2), 0.0, 0.0};
+        result[k] = {f.derivative(0, 0),
+                     f.derivative(1, 0),
+                     f.derivative(0, 1),
+                     0.0,
+                     f.derivative(2, 0),
+                     f.derivative(1, 1),
+                     f.derivative(0, 2),
+                     0.0,
+                     0.0};
     }
     return result;
 }
