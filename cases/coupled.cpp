@@ -11,6 +11,9 @@
 /// In space, the step falls with the cell and the second-order step is taken, so that all must
 /// converge at order 2. In time, a fixed grid is stepped with ever shorter steps, and successive
 /// differences show the order of the step alone: 1 for the paper's, 2 for the step that looks back.
+/// (They start from what a few very short steps make of the exact state. The exact state solves no
+/// grid's equations; the spike of velocity that cures this is of size h^2/dt, and would end the
+/// orders at some 60 steps.)
 
 #include <array>
 
@@ -55,12 +58,9 @@ const std::vector<std::string> terms{
 reports::Study in_space() {
     reports::Study study("coupled, in space");
     study.grids({16, 32, 64, 128}).covers(terms).measure([](int cells) {
-        return run_manufactured({.cells = cells,
-                                 .steps = cells / 8,
-                                 .end = end / 2,
-                                 .scheme = Stepping::bdf2,
-                                 .with_history = true},
-                                1.0 / cells);
+        return run_manufactured(
+            {.cells = cells, .steps = cells / 8, .end = end / 2, .scheme = Stepping::bdf2},
+            1.0 / cells);
     });
     for (const Gated& g : gated)
         study.gate(g.quantity, Norm::L2, expect(2.0).within(0.15).from(32), g.reason);
@@ -68,11 +68,12 @@ reports::Study in_space() {
     return study;
 }
 
-/// Successive differences between runs of 8, 16, 32 and 64 steps: the grid's error is in all alike.
+/// Successive differences between runs of more and more steps: the grid's error is in all alike,
+/// and they start from one state that the grid has settled.
 reports::Study in_time(const std::string& name, const ManufacturedBurn& burn, double order,
                        const std::string& reason) {
     reports::Study study("coupled, in time, " + name);
-    study.grids({8, 16, 32, 64}).covers({term::time_step}).measure([burn](int steps) {
+    study.grids({16, 32, 64, 128}).covers({term::time_step}).measure([burn](int steps) {
         ManufacturedBurn run = burn;
         run.steps = steps;
         return run_manufactured(run, 1.0 / steps);
@@ -84,14 +85,20 @@ reports::Study in_time(const std::string& name, const ManufacturedBurn& burn, do
 
 std::vector<reports::Study> studies() {
     constexpr int cells = 16;
-    const ManufacturedBurn paper{
-        .cells = cells, .end = end, .scheme = Stepping::euler, .coupling = Coupling::lagged};
-    const ManufacturedBurn two_step{.cells = cells, .end = end, .scheme = Stepping::bdf2};
-    return {in_space(),
-            in_time("paper's step", paper, 1.0,
-                    "forward Euler; heat is second order alone, but its motion lags by a step"),
-            in_time("two-step", two_step, 2.0,
-                    "BDF2, all explicit terms extrapolated; its first step is Euler's, once")};
+    const ManufacturedBurn paper{.cells = cells,
+                                 .end = end,
+                                 .scheme = Stepping::euler,
+                                 .start = Start::settled,
+                                 .coupling = Coupling::lagged};
+    const ManufacturedBurn two_step{
+        .cells = cells, .end = end, .scheme = Stepping::bdf2, .start = Start::settled};
+    return {
+        in_space(),
+        in_time("paper's step", paper, 1.0,
+                "forward Euler; heat is second order alone, but its motion lags by a step"),
+        in_time("two-step", two_step, 2.0,
+                "BDF2, all explicit terms extrapolated; its first step is Euler's, once. Xi, and F "
+                "with it, less by what ENO2 changes its mind")};
 }
 
 const Registered here{{.name = "coupled",

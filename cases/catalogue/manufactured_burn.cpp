@@ -63,15 +63,24 @@ PlaneStress plane(const reference::BurningStress& s) {
     return {s.s11, s.s22, s.s33, s.s12};
 }
 
-Sources sources(const ManufacturedBurning& exact) {
+/// What drives a run that begins at time `start` of the truth [s].
+Sources sources(const ManufacturedBurning& exact, double start) {
     Sources sources;
-    sources.heat = [&](double x, double y, double t) { return exact.heat_source(x, y, t); };
-    sources.stress = [&](double x, double y, double t) {
-        return plane(exact.stress_source(x, y, t));
+    sources.heat = [&exact, start](double x, double y, double t) {
+        return exact.heat_source(x, y, start + t);
     };
-    sources.body_force = [&](double x, double y, double t) { return exact.body_force(x, y, t); };
-    sources.heat_flux = [&](double x, double, double t) { return exact.heat_flux(x, t); };
-    sources.traction = [&](double x, double, double t) { return exact.traction(x, t); };
+    sources.stress = [&exact, start](double x, double y, double t) {
+        return plane(exact.stress_source(x, y, start + t));
+    };
+    sources.body_force = [&exact, start](double x, double y, double t) {
+        return exact.body_force(x, y, start + t);
+    };
+    sources.heat_flux = [&exact, start](double x, double, double t) {
+        return exact.heat_flux(x, start + t);
+    };
+    sources.traction = [&exact, start](double x, double, double t) {
+        return exact.traction(x, start + t);
+    };
     return sources;
 }
 
@@ -108,7 +117,6 @@ SurfaceField exact_surface(const Grid& grid, const ManufacturedBurning& exact, d
 State exact_state(const Simulation& simulation, const ManufacturedBurning& exact, double t) {
     const Grid& grid = simulation.grid();
     State state = simulation.state();
-    state.time = t;
     state.surface = exact_surface(grid, exact, t);
     const Places at(grid, state.surface);
     const auto at_node = [&](const auto& field) {
@@ -135,6 +143,33 @@ State exact_state(const Simulation& simulation, const ManufacturedBurning& exact
         const Vector p = at.in_cell(i, j, cell_centre);
         return -mean(exact.stress(p.x(), p.y(), t));
     });
+    return state;
+}
+
+/// The exact states at t = 0 and, for a scheme that looks back, a step before.
+State exact_start(const Simulation& simulation, const ManufacturedBurning& exact) {
+    State state = exact_state(simulation, exact, 0.0);
+    const Time& time = simulation.scene().time;
+    if (time.scheme == Stepping::bdf2)
+        state.previous = std::make_shared<const State>(exact_state(simulation, exact, -time.step));
+    return state;
+}
+
+/// What the last steps before t = 0, all of them shorter than any of the run, make of the exact
+/// state.
+State settled_start(Scene scene, const ManufacturedBurning& exact) {
+    constexpr int steps = 16;
+    scene.time.step = scene.time.end / 4096;
+    scene.time.scheme = Stepping::bdf2;
+    const double before = -steps * scene.time.step;
+    Simulation run(scene, sources(exact, before));
+    State state = exact_state(run, exact, before);
+    run.restore(state);
+    for (int k = 0; k < steps; ++k) run.step();
+    state = run.state();
+    state.step = 0;
+    state.time = 0.0;
+    state.previous.reset();
     return state;
 }
 
@@ -214,12 +249,9 @@ void compare_cells(reports::Measurement& result, const Simulation& run,
 
 reports::Measurement run_manufactured(const ManufacturedBurn& burn, double h) {
     const ManufacturedBurning exact = truth();
-    Simulation run(scene_of(burn), sources(exact));
-    State start = exact_state(run, exact, 0.0);
-    if (burn.with_history)
-        start.previous =
-            std::make_shared<const State>(exact_state(run, exact, -burn.end / burn.steps));
-    run.restore(start);
+    const Scene scene = scene_of(burn);
+    Simulation run(scene, sources(exact, 0.0));
+    run.restore(burn.start == Start::exact ? exact_start(run, exact) : settled_start(scene, exact));
     for (int k = 0; k < burn.steps; ++k) run.step();
 
     reports::Measurement result(h);
