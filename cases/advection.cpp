@@ -7,7 +7,7 @@
 /// One profile is carried on for a third of its period as well.
 ///
 /// What to expect. The scheme is third-order WENO for a derivative (not for a flux): it weighs two
-/// second-order stencils by their *second* differences. Its critical points are therefore not the
+/// second-order stencils by their second differences. Its critical points are therefore not the
 /// extrema of a profile but its inflections. There the weights miss 1/3 by order one and the error
 /// is h^2 (Linf: two); at a distance d the miss fades as h/d, so the sum over all cells is
 /// h^3 log(1/h): three in L1 less a logarithm, which over these grids costs 0.3 to 0.5. Where

@@ -5,21 +5,22 @@
 /// at 3 ms and has burnt 17 um). Orders come from differences between grids, never from the finest
 /// taken for the truth.
 ///
-/// *Steps*: order 1 in every number, as the paper's splitting is: what each room takes from the
+/// Steps: order 1 in every number, as the paper's splitting is: what each room takes from the
 /// last step. Anything done once a step without the measure of dt (a filter, a stress given up, a
 /// smoothing) would accumulate as 1/dt and end that.
 ///
-/// *Rows*: order 2 where the surface is smooth, from the middle of the AP's half outwards. At the
+/// Rows: order 2 where the surface is smooth, from the middle of the AP's half outwards. At the
 /// interface the surface burns a notch, where nothing is smooth. (Steps of 80 us on 192 rows would
 /// leave 0.1 K of the ringing that Crank-Nicolson answers the sudden flux with.)
 ///
-/// *Columns*: two things meet where interface and surface do, and neither is smooth.
+/// Columns: two things meet where interface and surface do, and neither is smooth.
+///
 /// - Stress is singular, r^(lambda - 1) with lambda = 0.595. Means over a fixed box beside the
-/// corner
-///   exist; finite elements give them at order 2 lambda = 1.19, the singularity once in the stress
-///   and once in the dual problem. An element that locks does not: q1 shows 0.6, or no order.
+///   corner exist; finite elements give them at order 2 lambda = 1.19, the singularity once in the
+///   stress and once in the dual problem. An element that locks does not: q1 shows 0.6, or none.
 /// - The surface burns a notch one cell wide at first: AP beside hot binder burns faster than AP
 ///   alone, and the node on the interface burns as the mean of both.
+///
 /// The second is not asymptotic on any grid one would use: from halving to halving T_s on the axis
 /// rises by 0.6, 0.7, 0.7 K and the notch deepens by 0.4, 0.6, 0.6 um (without mechanics the same,
 /// and the order of these differences climbs to 0.5 at 512 columns; on a surface held flat,
