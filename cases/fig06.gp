@@ -1,0 +1,42 @@
+# Figure 6: filled points, distance to the finest grid (the paper's way); open points, to the next finer grid.
+# In a table columns 2, 4, ... are the former, 3, 5, ... the latter.
+
+@loglog
+set xlabel 'Δx / µm'
+set format x '%g'
+set key outside right top vertical Left reverse samplen 2 spacing 1.3
+symbols = 'σ_{11} σ_{22} σ_{33} τ u v'
+order(element, k) = sprintf('%s   %.2f | %.2f', word(symbols, k), value(sprintf('papers_%s_%d', element, k)), \
+                            value(sprintf('unbiased_%s_%d', element, k)))
+set key title "order to the finest grid\n(paper's way) | to the next" left
+array filled[4] = [7, 5, 9, 13]
+array open[4] = [6, 4, 8, 12]
+
+# Slopes hang from above the largest error of the coarsest grid.
+slopes = "stats data_q1 using 1 name 'H' nooutput; \
+first(x, m) = top * (x / H_max)**m; set xrange [H_min / 1.25:H_max * 1.25]"
+@slopes
+
+do for [panel in 'a b c d'] {
+    element = (panel eq 'a' || panel eq 'b') ? 'q1' : 'bbar'
+    shown = element eq 'q1' ? 'the paper''s element (q1)' : 'B-bar'
+    data = element eq 'q1' ? data_q1 : data_bbar
+    stress = panel eq 'a' || panel eq 'c'
+    from = stress ? 1 : 5
+    to = stress ? 4 : 6
+    eval value('panel_' . panel)
+    set title sprintf('%s   %s, %s', panel, stress ? 'stress' : 'velocity', shown)
+    set ylabel stress ? 'root mean square difference / kPa' : 'root mean square difference / (µm/s)'
+    top = 0
+    do for [k = from:to] {
+        stats data using 2 * k name 'E' nooutput
+        top = E_max > top ? E_max : top
+    }
+    top = 1.6 * top
+    plot for [k = from:to] data using 1:2 * k with linespoints lt k - from + 1 pt filled[k - from + 1] title order(element, k), \
+         for [k = from:to] data using 1:2 * k + 1 with linespoints lt k - from + 1 dt 3 lw 1.2 pt open[k - from + 1] notitle, \
+         first(x, 1) with lines lc rgb grey lw 1 dt 2 title 'order 1', \
+         first(x, 2) with lines lc rgb grey lw 1 dt 3 title 'order 2', \
+         NaN with linespoints lc rgb 'black' pt 7 title 'to the finest grid', \
+         NaN with linespoints lc rgb 'black' dt 3 lw 1.2 pt 6 title 'to the next finer'
+}
