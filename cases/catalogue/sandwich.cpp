@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <future>
-#include <map>
-#include <mutex>
-#include <utility>
 
+#include "cases/catalogue/burns.hpp"
 #include "cases/catalogue/units.hpp"
 #include "solver/burning/burn_rate.hpp"
 #include "solver/scene/read_scene.hpp"
-#include "solver/scene/write_scene.hpp"
 #include "solver/simulation/simulation.hpp"
 
 namespace crawford {
@@ -37,35 +33,6 @@ Burn burn_now(const Scene& scene, const Request& request) {
     burn->last = collect_snapshot(simulation);
     return burn;
 }
-
-/// Every burn of this program, by the text of its scene. Who asks for one that is under way waits.
-class Burns {
-public:
-    Burn get(const Scene& scene, const Request& request) {
-        std::promise<Burn> promise;
-        std::shared_future<Burn> made;
-        bool mine = false;
-        {
-            const std::scoped_lock lock(mutex_);
-            auto [place, is_new] = burns_.try_emplace(to_toml(scene));
-            if (is_new) place->second = promise.get_future().share();
-            made = place->second;
-            mine = is_new;
-        }
-        if (mine) {
-            try {
-                promise.set_value(burn_now(scene, request));
-            } catch (...) {
-                promise.set_exception(std::current_exception());
-            }
-        }
-        return made.get();
-    }
-
-private:
-    std::mutex mutex_;
-    std::map<std::string, std::shared_future<Burn>> burns_;
-};
 
 }  // namespace
 
@@ -95,8 +62,8 @@ Scene burning_sandwich(Fidelity fidelity, bool mechanics) {
 }
 
 Burn burn_sandwich(const Scene& scene, const Request& request) {
-    static Burns burns;
-    return burns.get(scene, request);
+    static Burns<SandwichBurn> burns;
+    return burns.get(scene, [&] { return burn_now(scene, request); });
 }
 
 SurfaceLine surface_line(const Snapshot& half) {
@@ -134,16 +101,6 @@ reports::QuadMap whole_map(const Snapshot& half, const std::string& name, const 
             map.fields.front().values.push_back(field(image, j) / scale);
         }
     return map;
-}
-
-std::string grid_text(const Scene& scene) {
-    const Domain& d = scene.domain;
-    return fmt::format("{} x {}, clustering {}{}", d.nx, d.ny, d.clustering,
-                       d.half ? ", half modelled" : "");
-}
-
-std::string step_text(const Scene& scene) {
-    return fmt::format("{:g} us, t = {:g} s", scene.time.step / units::us, scene.time.end);
 }
 
 }  // namespace crawford

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/catalogue/registry.hpp"
+#include "cases/catalogue/scene_text.hpp"
 #include "reports/figure_data.hpp"
 #include "solver/output/snapshot.hpp"
 
@@ -42,10 +43,5 @@ SurfaceLine surface_line(const Snapshot& half);
 /// divided by `scale`.
 reports::QuadMap whole_map(const Snapshot& half, const std::string& name, const std::string& unit,
                            const Lattice<double>& field, double scale);
-
-/// "64 x 96, clustering 2"
-std::string grid_text(const Scene& scene);
-/// "20 us, t = 0.1 s"
-std::string step_text(const Scene& scene);
 
 }  // namespace crawford

@@ -1,0 +1,86 @@
+/// # Figure 14: what happens below the surface of a burning pack
+///
+/// The last of the four times of figure 13, close to the surface. Hot AP cannot expand sideways
+/// and stands under pressure; the binder between is soft, carries little, and is strained instead.
+/// Lines are the outlines of the discs as the solver has them, where a cell's fraction of AP is one
+/// half; every cell of pressure and strain is drawn as it is.
+///
+/// The largest values hang on the grid, because stress is singular where an interface meets the
+/// surface; the mean over 5 um about each peak is given beside it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/catalogue/pack.hpp"
+#include "cases/catalogue/pack_maps.hpp"
+#include "cases/catalogue/registry.hpp"
+#include "cases/catalogue/sandwich_measures.hpp"
+#include "cases/catalogue/scene_text.hpp"
+#include "cases/catalogue/units.hpp"
+#include "solver/output/build_info.hpp"
+
+namespace crawford {
+
+namespace {
+
+using namespace units;
+
+constexpr double shown_below_surface = 70 * um;
+constexpr double above_surface = 5 * um;
+constexpr double map_width = 540.0;  // [points]
+constexpr double left = 100.0, right = 130.0, foot = 75.0, head = 40.0;
+
+Outcome fig14(const Request& request) {
+    const Scene scene = burning_pack(request.fidelity);
+    const auto burn = burn_packs({scene}, request).front();
+    const Snapshot& last = burn->snapshots.back();
+    const auto [lowest, highest] = surface_span(last);
+    const double bottom = lowest - shown_below_surface;
+    const Peak strain = peak(last, last.strain_norm, peak_radius);
+    const Peak pressure = peak(last, last.pressure, peak_radius);
+
+    const reports::QuadMap nodes = node_maps(last, bottom);
+    const auto temperature = std::ranges::minmax(nodes.fields.front().values);
+
+    const double span = highest + above_surface - bottom;
+    const double map_height = map_width * span / scene.domain.width;
+    const double width = left + map_width + right, height = head + map_height + foot;
+    reports::Figure figure("fig14", request.out, "cases/fig14.gp");
+    figure.map("nodes", nodes)
+        .map("cells", cell_maps(last, bottom))
+        .set("width", scene.domain.width / um)
+        .set("bottom", bottom / um)
+        .set("top", (highest + above_surface) / um)
+        .set("left_side", left / width)
+        .set("right_side", 1.0 - right / width)
+        .set("foot_side", foot / height)
+        .set("head_side", 1.0 - head / height)
+        .set("lowest_temperature", temperature.min)
+        .set("largest_temperature", temperature.max)
+        .set("largest_strain", strain.value)
+        .set("largest_pressure",
+             std::max(std::abs(pressure.value), -std::ranges::min(last.pressure.values())) / MPa)
+        .caption({.grid = grid_text(scene),
+                  .step = step_text(scene),
+                  .revision = revision(),
+                  .note = "peaks of p and |E| depend on the grid"});
+    for (const char* panel : {"a", "b", "c"})
+        figure.panel(panel, reports::Format::png, {.width = int(width), .height = int(height)});
+    return {figure,
+            {{"largest temperature", burn->largest_temperature.back(), "K"},
+             {"strain norm, mean over 5 um about the peak", strain.mean, "-"},
+             {"strain norm, peak on this grid", strain.value, "-"},
+             {"pressure, mean over 5 um about the peak", pressure.mean / MPa, "MPa"},
+             {"pressure, peak on this grid", pressure.value / MPa, "MPa"}},
+            {scene}};
+}
+
+const Registered here{{.name = "fig14",
+                       .figure = "Fig. 14",
+                       .shows = "pack: temperature, pressure, strain near the surface",
+                       .cost = {.draft = 12.0, .paper = 700.0},
+                       .draw = fig14}};
+
+}  // namespace
+
+}  // namespace crawford
