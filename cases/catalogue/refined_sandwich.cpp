@@ -1,0 +1,40 @@
+#include "cases/catalogue/refined_sandwich.hpp"
+
+#include <fmt/format.h>
+
+namespace crawford {
+
+namespace {
+
+std::vector<int> columns(Fidelity fidelity) {
+    switch (fidelity) {
+        case Fidelity::draft:
+            return {16, 32, 64};
+        case Fidelity::paper:
+            return {32, 64, 128, 256};
+        default:
+            return {32, 64, 128, 256, 512};
+    }
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const SandwichBurn>> refined_sandwich(const Request& request) {
+    std::vector<std::shared_ptr<const SandwichBurn>> burns;
+    for (const int nx : columns(request.fidelity)) {
+        Scene scene = burning_sandwich(request.fidelity, true);
+        scene.domain.nx = nx;
+        if (request.fidelity == Fidelity::draft) scene.time.end = 0.04;
+        burns.push_back(burn_sandwich(scene, request));
+    }
+    return burns;
+}
+
+std::string grids_text(const std::vector<std::shared_ptr<const SandwichBurn>>& burns) {
+    std::string text;
+    for (size_t k = 0; k + 1 < burns.size(); ++k)
+        text += fmt::format("{}, ", burns[k]->scene.domain.nx);
+    return text + grid_text(burns.back()->scene);
+}
+
+}  // namespace crawford

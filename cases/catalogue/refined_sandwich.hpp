@@ -1,0 +1,18 @@
+/// The burning sandwich with more and more columns, as the paper refines it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cases/catalogue/sandwich.hpp"
+
+namespace crawford {
+
+/// Coarsest first; each has twice the columns of the one before. Paper: 32 to 256 columns, 96 rows
+/// with clustering 2, steps of 20 us, until 0.1 s.
+std::vector<std::shared_ptr<const SandwichBurn>> refined_sandwich(const Request& request);
+
+/// "32, 64, 128, 256 x 96, clustering 2, half modelled"
+std::string grids_text(const std::vector<std::shared_ptr<const SandwichBurn>>& burns);
+
+}  // namespace crawford

@@ -1,0 +1,23 @@
+# Figure 8: one line for each number of columns, the finest solid.
+
+set xlabel 'x / µm'
+set xrange [-120:120]
+set xtics 40
+set key title 'columns' left
+n = words(grids)
+line_of(k) = value('data_nx' . word(grids, k))
+
+do for [k = 1:n] {
+    dash = k == n ? 1 : n + 1 - k
+    set style line k lt k dt dash
+}
+
+@panel_a
+set title 'a   surface temperature'
+set ylabel 'T_s / K'
+plot for [k = 1:n] line_of(k) using 1:2 with lines ls k title word(grids, k)
+
+@panel_b
+set title 'b   surface profile'
+set ylabel 'height above the edge / µm'
+plot for [k = 1:n] line_of(k) using 1:3 with lines ls k title word(grids, k)

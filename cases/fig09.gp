@@ -1,0 +1,35 @@
+# Figure 9: filled points, distance to the finest grid (the paper's way); open points, to the next finer grid.
+# In the table columns 2, 4, ... are the former, 3, 5, ... the latter.
+
+@loglog
+set xlabel 'Δx / µm'
+set format x '%g'
+set key outside right top vertical Left reverse samplen 2 spacing 1.3
+set key title "order to the finest grid\n(paper's way) | to the next" left
+symbols = 'σ_{11} σ_{22} σ_{33} τ u v ξ_1 ξ_2'
+order(k) = sprintf('%s   %.2f | %.2f', word(symbols, k), value(sprintf('papers_sandwich_%d', k)), \
+                   value(sprintf('unbiased_sandwich_%d', k)))
+array filled[4] = [7, 5, 9, 13]
+array open[4] = [6, 4, 8, 12]
+stats data_sandwich using 1 name 'H' nooutput
+set xrange [H_min / 1.25:H_max * 1.25]
+first(x) = top * x / H_max
+
+do for [panel in 'a b c'] {
+    from = panel eq 'a' ? 1 : panel eq 'b' ? 5 : 7
+    to = panel eq 'a' ? 4 : from + 1
+    eval value('panel_' . panel)
+    set title panel . '   ' . (panel eq 'a' ? 'stress' : panel eq 'b' ? 'velocity' : 'reference map')
+    set ylabel 'root mean square difference / ' . (panel eq 'a' ? 'MPa' : panel eq 'b' ? '(µm/s)' : 'µm')
+    top = 0
+    do for [k = from:to] {
+        stats data_sandwich using 2 * k name 'E' nooutput
+        top = E_max > top ? E_max : top
+    }
+    top = 1.6 * top
+    plot for [k = from:to] data_sandwich using 1:2 * k with linespoints lt k - from + 1 pt filled[k - from + 1] title order(k), \
+         for [k = from:to] data_sandwich using 1:2 * k + 1 with linespoints lt k - from + 1 dt 3 lw 1.2 pt open[k - from + 1] notitle, \
+         first(x) with lines lc rgb grey lw 1 dt 2 title 'order 1', \
+         NaN with linespoints lc rgb 'black' pt 7 title 'to the finest grid', \
+         NaN with linespoints lc rgb 'black' dt 3 lw 1.2 pt 6 title 'to the next finer'
+}
