@@ -85,8 +85,11 @@ class VerificationFile : public testing::Test {
 protected:
     void TearDown() override { std::filesystem::remove_all(file_.parent_path()); }
 
+    /// Tests run side by side: each has a directory of its own.
     std::filesystem::path file_ =
-        std::filesystem::path(testing::TempDir()) / "crawford_verification" / "verify.json";
+        std::filesystem::path(testing::TempDir()) /
+        (std::string("crawford_") + testing::UnitTest::GetInstance()->current_test_info()->name()) /
+        "verify.json";
 };
 
 TEST_F(VerificationFile, HoldsOneObjectForEachGate) {
