@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/errors.hpp"
+#include "solver/grid/node_lengths.hpp"
 #include "solver/heat/line_relaxation.hpp"
 
 namespace crawford {
@@ -174,14 +175,10 @@ void HeatStep::add_source(const SurfaceField& surface, double time) {
 }
 
 void HeatStep::add_flux_source(const SurfaceField& surface, double time) {
-    for (int i = 0; i < grid_.cell_columns(); ++i) {
-        const double half_length = 0.5 * grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
-        for (const int side : {0, 1}) {
-            const int node = side == 0 ? i : grid_.right_node(i);
-            load_(node, grid_.rows()) +=
-                half_length * flux_source_(grid_.x(i + side), surface[size_t(node)], time);
-        }
-    }
+    const SurfaceField lengths = node_lengths(grid_, surface);
+    for (int i = 0; i < grid_.node_columns(); ++i)
+        load_(i, grid_.rows()) +=
+            lengths[size_t(i)] * flux_source_(grid_.x(i), surface[size_t(i)], time);
 }
 
 void material_rate(const Grid& grid, const NodeField& before, const NodeField& after,

@@ -1,7 +1,6 @@
 #include "solver/projection/projection.hpp"
 
-#include <cmath>
-
+#include "solver/grid/node_lengths.hpp"
 #include "solver/projection/support.hpp"
 
 namespace crawford {
@@ -173,15 +172,10 @@ void Projection::add_body_force(Balance& forces, const SurfaceField& surface, do
 
 void Projection::add_traction_source(Balance& forces, const SurfaceField& surface,
                                      double time) const {
-    const int top = grid_.rows();
-    for (int i = 0; i < grid_.cell_columns(); ++i) {
-        const double half_length = 0.5 * grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
-        for (const int side : {0, 1}) {
-            const int node = side == 0 ? i : grid_.right_node(i);
-            const Vector force =
-                half_length * traction_(grid_.x(i + side), surface[size_t(node)], time);
-            for (int c = 0; c < 2; ++c) forces.add(matrix_.unknown({node, top}, c), force[c]);
-        }
+    const SurfaceField lengths = node_lengths(grid_, surface);
+    for (int i = 0; i < grid_.node_columns(); ++i) {
+        const Vector force = lengths[size_t(i)] * traction_(grid_.x(i), surface[size_t(i)], time);
+        for (int c = 0; c < 2; ++c) forces.add(matrix_.unknown({i, grid_.rows()}, c), force[c]);
     }
 }
 
