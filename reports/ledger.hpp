@@ -104,7 +104,8 @@ struct Ledger {
     std::vector<Spread> spreads;
 };
 
-/// Writes it as one JSON document, atomically.
+/// Writes it as one JSON document, atomically. A number that is missing becomes null, and so does
+/// one that is not finite: read back it is missing where it may be, else NaN.
 /// \throws std::filesystem::filesystem_error naming the file.
 void write(const std::filesystem::path& file, const Ledger& ledger);
 
