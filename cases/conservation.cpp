@@ -141,6 +141,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "conservation",
                        .figure = "-",
                        .shows = "heat, mass and force of burning slabs and a sandwich balance",
+                       .physics = {physics::slab, physics::sandwich},
                        .cost = {.verify = 8.0},
                        .studies = studies}};
 

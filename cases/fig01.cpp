@@ -97,6 +97,7 @@ Outcome fig01(const Request& request) {
 const Registered here{{.name = "fig01",
                        .figure = "Fig. 1",
                        .shows = "the staggered grid below a sloped surface",
+                       .physics = {physics::grid},
                        .cost = {.draft = 0.3, .paper = 0.3},
                        .draw = fig01}};
 

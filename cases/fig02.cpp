@@ -149,6 +149,7 @@ Outcome fig02(const Request& request) {
 const Registered here{{.name = "fig02",
                        .figure = "Fig. 2",
                        .shows = "one hat function, its four cells and nine couplings",
+                       .physics = {physics::stress},
                        .cost = {.draft = 0.5, .paper = 1.0},
                        .draw = fig02}};
 

@@ -80,6 +80,8 @@ Outcome fig03(const Request& request) {
 const Registered here{{.name = "fig03",
                        .figure = "Fig. 3",
                        .shows = "thermal layer of AP against the exact slab",
+                       .physics = {physics::heat, physics::stress, physics::coupling,
+                                   physics::reference_map, physics::slab},
                        .cost = {.draft = 1.0, .paper = 3.0},
                        .draw = fig03}};
 

@@ -80,6 +80,7 @@ Outcome fig04(const Request& request) {
 const Registered here{{.name = "fig04",
                        .figure = "Fig. 4",
                        .shows = "slabs: surface with and without mechanics",
+                       .physics = {physics::heat, physics::coupling, physics::slab},
                        .cost = {.draft = 3.0, .paper = 8.0},
                        .draw = fig04}};
 

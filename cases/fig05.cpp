@@ -60,6 +60,7 @@ Outcome fig05(const Request& request) {
 const Registered here{{.name = "fig05",
                        .figure = "Fig. 5",
                        .shows = "sandwich: geometry, conditions, initial and present surface",
+                       .physics = {physics::burning, physics::sandwich},
                        .cost = {.draft = 3.0, .paper = 20.0},
                        .draw = fig05}};
 

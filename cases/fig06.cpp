@@ -124,6 +124,7 @@ Outcome fig06(const Request& request) {
 const Registered here{{.name = "fig06",
                        .figure = "Fig. 6",
                        .shows = "cold sandwich: errors of stress and velocity, read twice",
+                       .physics = {physics::stress, physics::sandwich},
                        .cost = {.draft = 1.0, .paper = 18.0},
                        .draw = fig06}};
 

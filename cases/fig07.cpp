@@ -54,6 +54,8 @@ Outcome fig07(const Request& request) {
 const Registered here{{.name = "fig07",
                        .figure = "Fig. 7",
                        .shows = "sandwich: maps of temperature, pressure, strain",
+                       .physics = {physics::heat, physics::burning, physics::stress,
+                                   physics::coupling, physics::reference_map, physics::sandwich},
                        .cost = {.draft = 8.0, .paper = 70.0},
                        .draw = fig07}};
 

@@ -67,11 +67,13 @@ Outcome fig08(const Request& request) {
     return outcome;
 }
 
-const Registered here{{.name = "fig08",
-                       .figure = "Fig. 8",
-                       .shows = "sandwich: surface temperature and profile on finer grids",
-                       .cost = {.draft = 8.0, .paper = 600.0},
-                       .draw = fig08}};
+const Registered here{
+    {.name = "fig08",
+     .figure = "Fig. 8",
+     .shows = "sandwich: surface temperature and profile on finer grids",
+     .physics = {physics::heat, physics::burning, physics::grid, physics::sandwich},
+     .cost = {.draft = 8.0, .paper = 600.0},
+     .draw = fig08}};
 
 }  // namespace
 

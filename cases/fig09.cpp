@@ -73,11 +73,13 @@ Outcome fig09(const Request& request) {
     return outcome;
 }
 
-const Registered here{{.name = "fig09",
-                       .figure = "Fig. 9",
-                       .shows = "burning sandwich: errors against the width of a column",
-                       .cost = {.draft = 8.0, .paper = 600.0},
-                       .draw = fig09}};
+const Registered here{
+    {.name = "fig09",
+     .figure = "Fig. 9",
+     .shows = "burning sandwich: errors against the width of a column",
+     .physics = {physics::stress, physics::reference_map, physics::grid, physics::sandwich},
+     .cost = {.draft = 8.0, .paper = 600.0},
+     .draw = fig09}};
 
 }  // namespace
 

@@ -50,11 +50,13 @@ Outcome fig10(const Request& request) {
     return outcome;
 }
 
-const Registered here{{.name = "fig10",
-                       .figure = "Fig. 10",
-                       .shows = "sandwich: surface temperature and burn rate",
-                       .cost = {.draft = 8.0, .paper = 75.0},
-                       .draw = fig10}};
+const Registered here{
+    {.name = "fig10",
+     .figure = "Fig. 10",
+     .shows = "sandwich: surface temperature and burn rate",
+     .physics = {physics::heat, physics::burning, physics::coupling, physics::sandwich},
+     .cost = {.draft = 8.0, .paper = 75.0},
+     .draw = fig10}};
 
 }  // namespace
 

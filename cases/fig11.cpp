@@ -61,6 +61,7 @@ Outcome fig11(const Request& request) {
 const Registered here{{.name = "fig11",
                        .figure = "Fig. 11",
                        .shows = "sandwich: steady profile of the surface",
+                       .physics = {physics::burning, physics::coupling, physics::sandwich},
                        .cost = {.draft = 8.0, .paper = 75.0},
                        .draw = fig11}};
 

@@ -83,6 +83,8 @@ Outcome fig13(const Request& request) {
 const Registered here{{.name = "fig13",
                        .figure = "Fig. 13",
                        .shows = "pack: maps of temperature, pressure, strain at four times",
+                       .physics = {physics::heat, physics::burning, physics::stress,
+                                   physics::coupling, physics::reference_map, physics::pack},
                        .cost = {.draft = 15.0, .paper = 700.0},
                        .draw = fig13}};
 

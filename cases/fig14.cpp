@@ -78,6 +78,8 @@ Outcome fig14(const Request& request) {
 const Registered here{{.name = "fig14",
                        .figure = "Fig. 14",
                        .shows = "pack: temperature, pressure, strain near the surface",
+                       .physics = {physics::heat, physics::burning, physics::stress,
+                                   physics::coupling, physics::reference_map, physics::pack},
                        .cost = {.draft = 12.0, .paper = 700.0},
                        .draw = fig14}};
 

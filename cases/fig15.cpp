@@ -79,11 +79,13 @@ Outcome fig15(const Request& request) {
     return outcome;
 }
 
-const Registered here{{.name = "fig15",
-                       .figure = "Fig. 15",
-                       .shows = "pack: largest temperature and burn rate, with and without stress",
-                       .cost = {.draft = 15.0, .paper = 750.0},
-                       .draw = fig15}};
+const Registered here{
+    {.name = "fig15",
+     .figure = "Fig. 15",
+     .shows = "pack: largest temperature and burn rate, with and without stress",
+     .physics = {physics::heat, physics::burning, physics::coupling, physics::pack},
+     .cost = {.draft = 15.0, .paper = 750.0},
+     .draw = fig15}};
 
 }  // namespace
 

@@ -51,6 +51,7 @@ Outcome fig16(const Request& request) {
 const Registered here{{.name = "fig16",
                        .figure = "Fig. 16",
                        .shows = "pack: largest strain against time",
+                       .physics = {physics::reference_map, physics::pack},
                        .cost = {.draft = 12.0, .paper = 700.0},
                        .draw = fig16}};
 

@@ -68,6 +68,7 @@ Outcome fig17(const Request& request) {
 const Registered here{{.name = "fig17",
                        .figure = "Fig. 17",
                        .shows = "pack: burn rate and largest strain under once and twice the flux",
+                       .physics = {physics::burning, physics::reference_map, physics::pack},
                        .cost = {.draft = 18.0, .paper = 800.0},
                        .draw = fig17}};
 

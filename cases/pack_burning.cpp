@@ -137,6 +137,7 @@ const Registered here{
     {.name = "pack-burning",
      .figure = "-",
      .shows = "72 % pack, 10 ms: no cell keeps a stress its material cannot carry",
+     .physics = {physics::pack},
      .cost = {.verify = 15.0},
      .studies = studies}};
 

@@ -118,6 +118,7 @@ const Registered here{
     {.name = "sandwich-burning",
      .figure = "-",
      .shows = "burning sandwich: no zigzag, no checkerboard, strain that converges",
+     .physics = {physics::sandwich},
      .cost = {.verify = 12.0},
      .studies = studies}};
 

@@ -72,6 +72,7 @@ const Registered here{
     {.name = "sandwich-drift",
      .figure = "-",
      .shows = "10,000 steps of the steady sandwich: burn rate and balance of forces stay",
+     .physics = {physics::sandwich},
      .cost = {.verify = 14.0},
      .studies = studies}};
 

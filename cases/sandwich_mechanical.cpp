@@ -119,6 +119,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "sandwich-mechanical",
                        .figure = "-",
                        .shows = "cold sandwich against high-order elements",
+                       .physics = {physics::sandwich},
                        .cost = {.verify = 2.0},
                        .studies = studies}};
 

@@ -197,6 +197,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "sandwich-orders",
                        .figure = "-",
                        .shows = "orders near and far from the singular corner of a cold sandwich",
+                       .physics = {physics::sandwich},
                        .cost = {.verify = 8.0},
                        .studies = studies}};
 

@@ -194,6 +194,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "sandwich-refinement",
                        .figure = "-",
                        .shows = "burning sandwich, refined in columns, rows and steps",
+                       .physics = {physics::sandwich},
                        .cost = {.verify = 10.0},
                        .studies = studies}};
 

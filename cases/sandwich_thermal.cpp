@@ -88,6 +88,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "sandwich-thermal",
                        .figure = "-",
                        .shows = "steady rigid sandwich against high-order elements",
+                       .physics = {physics::sandwich},
                        .cost = {.verify = 4.0},
                        .studies = studies}};
 

@@ -122,6 +122,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "slab",
                        .figure = "-",
                        .shows = "burning slab against its exact solution",
+                       .physics = {physics::slab},
                        .cost = {.verify = 30.0},
                        .studies = studies}};
 

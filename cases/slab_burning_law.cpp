@@ -96,6 +96,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "slab-burning-law",
                        .figure = "-",
                        .shows = "slab that burns by its law against its exact solution",
+                       .physics = {physics::slab},
                        .cost = {.verify = 3.0},
                        .studies = studies}};
 

@@ -105,6 +105,7 @@ std::vector<reports::Study> studies() {
 const Registered here{{.name = "slab-small-strain",
                        .figure = "-",
                        .shows = "slab against Kuznetsov and Stewart's as the strain vanishes",
+                       .physics = {physics::slab},
                        .cost = {.verify = 3.0},
                        .studies = studies}};
 

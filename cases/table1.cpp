@@ -160,6 +160,7 @@ Outcome table1(const Request& request) {
 const Registered here{{.name = "table1",
                        .figure = "Table 1",
                        .shows = "properties as used and printed, and what follows from them",
+                       .physics = {physics::materials},
                        .cost = {.draft = 0.2, .paper = 0.2},
                        .draw = table1}};
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/catalogue/physics.hpp"
 #include "reports/figure.hpp"
 #include "reports/study.hpp"
 #include "solver/scene/scene.hpp"
@@ -53,6 +54,7 @@ struct Entry {
     std::string name;
     std::string figure;  ///< of the paper; "-" if there is none
     std::string shows;
+    std::vector<std::string> physics = {};  ///< headings of physics.hpp, besides what studies cover
     Cost cost = {};
     std::function<Outcome(const Request&)> draw = {};
     std::function<std::vector<reports::Study>()> studies = {};
