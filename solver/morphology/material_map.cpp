@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/morphology/disc_overlap.hpp"
+#include "solver/morphology/strip_overlap.hpp"
 
 namespace crawford {
 
@@ -27,20 +28,25 @@ double snapped(double fraction) {
 }  // namespace
 
 MaterialMap::MaterialMap(const Morphology& morphology, const Grid& grid)
-    : grid_(grid),
-      shape_(morphology.shape),
-      materials_(morphology.materials),
-      fraction_(grid.cell_columns(), grid.rows(), 1.0) {
+    : grid_(grid), morphology_(morphology), fraction_(grid.cell_columns(), grid.rows(), 1.0) {
     follow(SurfaceField(size_t(grid.node_columns()), 0.0));
 }
 
 bool MaterialMap::moves() const {
-    return std::holds_alternative<Discs>(shape_);
+    return std::holds_alternative<Discs>(morphology_.shape) ||
+           (std::holds_alternative<Sandwich>(morphology_.shape) && is_carried());
 }
 
-void MaterialMap::follow(const SurfaceField& surface) {
-    if (const auto* sandwich = std::get_if<Sandwich>(&shape_)) fill_strip(sandwich->strip);
-    if (const auto* discs = std::get_if<Discs>(&shape_)) fill_discs(*discs, surface);
+void MaterialMap::follow(const SurfaceField& surface, const NodeVectors& shift) {
+    const bool carried = is_carried() && !shift.empty();
+    const CarriedGrid where(grid_, surface, carried ? &shift : nullptr);
+    if (const auto* sandwich = std::get_if<Sandwich>(&morphology_.shape)) {
+        if (carried)
+            fill_carried_strip(sandwich->strip, where);
+        else
+            fill_strip(sandwich->strip);
+    }
+    if (const auto* discs = std::get_if<Discs>(&morphology_.shape)) fill_discs(*discs, where);
     for (double& fraction : fraction_.values()) fraction = snapped(fraction);
 }
 
@@ -53,45 +59,44 @@ void MaterialMap::fill_strip(double width) {
     }
 }
 
-void MaterialMap::fill_discs(const Discs& discs, const SurfaceField& surface) {
+/// Strips stand side by side, a period apart: cells near a side may have come from beyond it.
+void MaterialMap::fill_carried_strip(double width, const CarriedGrid& carried) {
+    const double period = (grid_.sides() == Sides::mirror ? 2.0 : 1.0) * grid_.width();
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j) {
+            double covered = 0.0;
+            for (const int image : {-1, 0, 1})
+                covered += strip_overlap(carried.cell(i, j, {image * period, 0.0}), 0.5 * width);
+            fraction_(i, j) = 1.0 - covered / carried.area(i, j);
+        }
+}
+
+void MaterialMap::fill_discs(const Discs& discs, const CarriedGrid& carried) {
     std::ranges::fill(fraction_.values(), 0.0);
-    const auto [low, high] = std::ranges::minmax(surface);
-    const double bottom = low - grid_.depth();
+    const Vector low = carried.lowest();
+    const Vector high = carried.highest();
     const double width = grid_.width();
-    const double left = grid_.x(0);
     for (const Disc& disc : discs.discs) {
-        const int first_y = int(std::ceil((bottom - disc.radius - disc.y) / discs.period));
-        const int last_y = int(std::floor((high + disc.radius - disc.y) / discs.period));
-        const int first_x = int(std::ceil((left - disc.radius - disc.x) / width));
-        const int last_x = int(std::floor((left + width + disc.radius - disc.x) / width));
+        const int first_y = int(std::ceil((low.y() - disc.radius - disc.y) / discs.period));
+        const int last_y = int(std::floor((high.y() + disc.radius - disc.y) / discs.period));
+        const int first_x = int(std::ceil((low.x() - disc.radius - disc.x) / width));
+        const int last_x = int(std::floor((high.x() + disc.radius - disc.x) / width));
         for (int m = first_x; m <= last_x; ++m)
             for (int n = first_y; n <= last_y; ++n)
-                add_disc({disc.x + m * width, disc.y + n * discs.period}, disc.radius, surface);
+                add_disc({disc.x + m * width, disc.y + n * discs.period}, disc.radius, carried);
     }
 }
 
-void MaterialMap::add_disc(Vector centre, double radius, const SurfaceField& surface) {
-    const double dx = grid_.dx();
-    const int first = std::max(int(std::floor((centre.x() - radius - grid_.x(0)) / dx)), 0);
-    const int last =
-        std::min(int(std::ceil((centre.x() + radius - grid_.x(0)) / dx)), grid_.cell_columns());
-    for (int i = first; i < last; ++i) {
-        const double y_left = surface[size_t(i)] - centre.y();
-        const double y_right = surface[size_t(grid_.right_node(i))] - centre.y();
-        const double x_left = grid_.x(i) - centre.x();
+void MaterialMap::add_disc(Vector centre, double radius, const CarriedGrid& carried) {
+    const auto [first, last] = carried.columns(centre.x() - radius, centre.x() + radius);
+    for (int i = first; i < last; ++i)
         for (int j = 0; j < grid_.rows(); ++j) {
-            const double low = grid_.eta(j);
-            const double high = grid_.eta(j + 1);
-            if (std::min(y_left, y_right) + low > radius ||
-                std::max(y_left, y_right) + high < -radius)
-                continue;
-            const std::array<Vector, 4> cell{{{x_left, y_left + low},
-                                              {x_left + dx, y_right + low},
-                                              {x_left + dx, y_right + high},
-                                              {x_left, y_left + high}}};
-            fraction_(i, j) += disc_overlap(cell, radius) / (dx * (high - low));
+            const auto cell = carried.cell(i, j, centre);
+            const auto [low, high] =
+                std::minmax({cell[0].y(), cell[1].y(), cell[2].y(), cell[3].y()});
+            if (low > radius || high < -radius) continue;
+            fraction_(i, j) += disc_overlap(cell, radius) / carried.area(i, j);
         }
-    }
 }
 
 double MaterialMap::thermal_conductivity(int i, int j) const {

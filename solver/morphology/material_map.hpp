@@ -1,14 +1,15 @@
 /// Which material is where on the grid as it stands, and what a cell that holds two of them is made
 /// of.
 ///
-/// The morphology is fixed in the laboratory; the grid follows the surface through it. A cell cut
-/// by an interface holds both materials by its volume fraction. Its moduli are harmonic means: two
-/// materials in series share a stress, and any mean that keeps a cut cell stiff lets it hold a
-/// stress that its softer part cannot carry once it has taken over.
+/// The grid follows the surface through a morphology that is fixed in the laboratory, or that the
+/// solid carries along: then it stands where the reference map finds it, and a cell is compared
+/// with it as the quadrilateral it came from. A cell cut by an interface holds both materials by
+/// its volume fraction. Its moduli are harmonic means: two materials in series share a stress, and
+/// any mean that keeps a cut cell stiff lets it hold a stress that its softer part cannot carry
+/// once it has taken over.
 #pragma once
 
-#include "solver/grid/grid.hpp"
-#include "solver/scene/scene.hpp"
+#include "solver/morphology/carried_grid.hpp"
 
 namespace crawford {
 
@@ -17,9 +18,12 @@ public:
     MaterialMap(const Morphology& morphology, const Grid& grid);
 
     /// Recomputes the fractions for a grid that hangs below `surface`.
-    void follow(const SurfaceField& surface);
+    /// \param shift xi - (x, y) [m] of each node; ignored where the morphology is fixed in the
+    /// laboratory, empty where nothing has moved
+    /// \throws NumericalFailure naming a cell that the map turns inside out.
+    void follow(const SurfaceField& surface, const NodeVectors& shift = {});
 
-    /// True where the fractions change as the surface moves.
+    /// True where the fractions change with time.
     bool moves() const;
 
     /// Volume fraction of the first material in each cell, 0 to 1.
@@ -40,17 +44,18 @@ public:
         return (fraction_(i, j) >= 0.5) == (fraction_(other_i, other_j) >= 0.5);
     }
 
-    const Material& first() const { return materials_.front(); }
-    const Material& second() const { return materials_.back(); }
+    const Material& first() const { return morphology_.materials.front(); }
+    const Material& second() const { return morphology_.materials.back(); }
 
 private:
+    bool is_carried() const { return morphology_.indicator == Indicator::reference_map; }
     void fill_strip(double width);
-    void fill_discs(const Discs& discs, const SurfaceField& surface);
-    void add_disc(Vector centre, double radius, const SurfaceField& surface);
+    void fill_carried_strip(double width, const CarriedGrid& carried);
+    void fill_discs(const Discs& discs, const CarriedGrid& carried);
+    void add_disc(Vector centre, double radius, const CarriedGrid& carried);
 
     const Grid& grid_;
-    Shape shape_;
-    std::vector<Material> materials_;
+    Morphology morphology_;
     CellField fraction_;
 };
 

@@ -110,6 +110,9 @@ void check_physics(const Scene& scene) {
     require(p.mechanics || !p.reference_map,
             "physics.reference_map = true needs a velocity; set physics.mechanics = true or "
             "reference_map = false");
+    require(p.reference_map || scene.morphology.indicator == Indicator::laboratory,
+            "morphology.indicator = \"reference map\" needs the map; set physics.mechanics = true "
+            "and reference_map = true, or indicator = \"laboratory\"");
     require(p.heat || p.mechanics || p.regression != Regression::none,
             "physics asks for nothing: heat and mechanics are false and regression is \"none\"; "
             "turn one on");

@@ -16,10 +16,11 @@ namespace {
 
 /// The finished morphology; finish() comes before the materials are taken, for they may be what is
 /// missing.
-Morphology finished(const TomlTable& table, Shape shape,
+Morphology finished(TomlTable& table, Shape shape,
                     const std::vector<std::optional<Material>>& materials) {
-    table.finish();
     Morphology morphology{.shape = std::move(shape), .materials = {}};
+    if (materials.size() > 1) keys::visit(table, morphology.indicator);
+    table.finish();
     for (const auto& material : materials) morphology.materials.push_back(material.value());
     return morphology;
 }

@@ -38,11 +38,17 @@ struct Discs {                ///< discs of the first material in a matrix of th
 
 using Shape = std::variant<Uniform, Sandwich, Discs>;
 
+enum class Indicator {
+    laboratory,    ///< Phi0(x): the shape stays where it is and the solid moves through it
+    reference_map  ///< Phi0(xi): each material point stays what it is
+};
+
 /// Where which material is. The first is what burns around a strip or fills the discs (AP), the
 /// second is the strip or the matrix (binder); a uniform scene has only the first.
 struct Morphology {
     Shape shape = Uniform{};
     std::vector<Material> materials = {ammonium_perchlorate()};
+    Indicator indicator = Indicator::laboratory;
 };
 
 enum class Regression {

@@ -31,6 +31,14 @@ void visit(Table& table, Material& m, Need need) {
 }
 
 template <class Table>
+void visit(Table& table, Indicator& indicator) {
+    static constexpr std::array indicators{
+        Word<Indicator>{"laboratory", Indicator::laboratory},
+        Word<Indicator>{"reference map", Indicator::reference_map}};
+    table.choice("indicator", indicator, indicators);
+}
+
+template <class Table>
 void visit(Table& table, Domain& d) {
     table.quantity("width", d.width, length, Need::required);
     table.quantity("depth", d.depth, length, Need::required);

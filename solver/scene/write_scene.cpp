@@ -117,6 +117,7 @@ std::string to_toml(const Scene& scene) {
     out.section("morphology");
     std::visit([&](const auto& shape) { write(out, shape, s.morphology.materials); },
                s.morphology.shape);
+    if (s.morphology.materials.size() > 1) keys::visit(out, s.morphology.indicator);
     for (Material& material : s.morphology.materials) {
         out.section("materials." + quoted(material.name));
         keys::visit(out, material, Need::required);

@@ -163,6 +163,10 @@ struct Simulation::Rooms {
         stopwatch.measure("stress", [&] {
             stress->predict(next.stress, now.stress, old_motion, next.temperature_rate, step);
         });
+        // What the map carries must be where the projection's grid is: the map takes the explicit
+        // velocity then, and not that of the projection.
+        const bool map_first = scene.morphology.indicator == Indicator::reference_map;
+        if (map_first) move_map(next, now, rate, now.velocity, step);
         if (materials.moves()) stopwatch.measure("morphology", [&] { follow_material(next); });
         stopwatch.measure("projection", [&] {
             solver_iterations =
@@ -173,21 +177,25 @@ struct Simulation::Rooms {
             stress->correct(next.stress, next.surface, next.velocity, step.span);
             check_finite(next.stress);
         });
-        if (!next.reference_shift.empty())
-            stopwatch.measure("reference map", [&] {
-                const HeatMotion new_motion{now.surface, rate, next.velocity,
-                                            next.temperature_rate};
-                advance_reference_map(grid, new_motion, step.span, now.reference_shift,
-                                      next.reference_shift);
-                check_finite(next.reference_shift, "reference map", "the map");
-            });
+        if (!map_first) move_map(next, now, rate, next.velocity, step);
     }
 
-    /// The grid has moved through the morphology: cells that became softer cannot hold what they
-    /// held.
+    void move_map(State& next, const State& now, const SurfaceField& rate,
+                  const NodeVectors& velocity, const TimeStep& step) {
+        if (next.reference_shift.empty()) return;
+        stopwatch.measure("reference map", [&] {
+            const HeatMotion motion{now.surface, rate, velocity, next.temperature_rate};
+            advance_reference_map(grid, motion, step.span, now.reference_shift,
+                                  next.reference_shift);
+            check_finite(next.reference_shift, "reference map", "the map");
+        });
+    }
+
+    /// The grid has moved through the morphology, or the morphology with the solid: cells that
+    /// became softer cannot hold what they held.
     void follow_material(State& next) {
         shear_modulus_before = shear_modulus();
-        materials.follow(next.surface);
+        materials.follow(next.surface, next.reference_shift);
         stress->soften(next.stress, shear_modulus_before);
     }
 
@@ -217,7 +225,7 @@ void Simulation::step() {
     try {
         next = rooms_->advanced(rooms_->state);
     } catch (const NumericalFailure& failure) {
-        rooms_->materials.follow(rooms_->state.surface);
+        rooms_->materials.follow(rooms_->state.surface, rooms_->state.reference_shift);
         throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", rooms_->state.step + 1,
                                            rooms_->state.time + rooms_->scene.time.step,
                                            failure.what()));
@@ -232,7 +240,7 @@ void Simulation::restore(State state) {
     const bool fits = same_shape(state, rooms_->state) &&
                       (!state.previous || (looks_back && same_shape(*state.previous, state)));
     if (!fits) throw InputError("checkpoint: its fields are not those of the scene");
-    rooms_->materials.follow(state.surface);
+    rooms_->materials.follow(state.surface, state.reference_shift);
     rooms_->state = std::move(state);
 }
 

@@ -1,5 +1,6 @@
 /// The order of a step (paper section 3.5):
-/// heat, burning, stress, projection, stress, reference map.
+/// heat, burning, stress, projection, stress, reference map; the map comes before the projection
+/// where it carries the morphology.
 #pragma once
 
 #include <memory>
