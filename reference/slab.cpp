@@ -5,6 +5,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "reference/root.hpp"
 
@@ -27,7 +28,12 @@ void Slab::solve_surface(double bottom_flux) {
         return rate * (energy_.heat_content(rise) - reaction) + bottom_flux - conditions_.heat_flux;
     };
     double high = 1e-6;
-    while (excess(high) < 0.0) high *= 2.0;
+    while (excess(high) < 0.0) {
+        if (high >= energy_.largest_rise())
+            throw std::invalid_argument(
+                "heat_flux is too large: the solid is out of heat capacity before it conducts it");
+        high = std::min(2.0 * high, energy_.largest_rise());
+    }
     surface_rise_ = bracketed_root(excess, 0.0, high);
     burn_rate_ = burn_rate_at(conditions_, surface_temperature());
     bottom_flux_ = bottom_flux;
@@ -95,11 +101,13 @@ double Slab::descend(double w, double y_above, double y) const {
     const auto miss = [&](double trial) {
         return std::make_pair(y_above - climb(trial, w) - y, slope_in_log(trial));
     };
-    // dy/dw falls upwards (g is convex), so the slope above and the cold slope enclose the answer.
-    const double steepest =
+    // dy/dw falls upwards where g is convex and rises where it is concave (at constant volume and
+    // without stretch), so the slope above and the cold slope enclose the answer either way.
+    const double cold =
         conditions_.material.thermal_conductivity / (burn_rate_ * energy_.cold_capacity());
     const double fall = y - y_above;
-    const double low = w + 1.001 * fall / slope_in_log(w);
+    const auto [flattest, steepest] = std::minmax({slope_in_log(w), cold});
+    const double low = w + 1.001 * fall / flattest;
     const double high = w + 0.999 * fall / steepest;
     std::uintmax_t iterations = 60;
     return boost::math::tools::newton_raphson_iterate(miss, w + fall / slope_in_log(w), low, high,

@@ -50,6 +50,12 @@ double thermal_stress_modulus(const SlabConditions& conditions) {
     return factor * conditions.material.thermal_expansion * conditions.material.bulk_modulus;
 }
 
+double counted_stress_work(const SlabConditions& conditions) {
+    if (conditions.heat_capacity == HeatCapacity::constant_pressure) return 1.0;
+    const Material& material = conditions.material;
+    return -4.0 * material.shear_modulus / (3.0 * material.bulk_modulus);
+}
+
 double burn_rate_at(const SlabConditions& conditions, double surface_temperature) {
     if (conditions.regression == Regression::prescribed) return conditions.burn_rate;
     return conditions.material.pyrolysis_prefactor *

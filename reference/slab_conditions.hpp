@@ -23,6 +23,14 @@ enum class ThermalStress {
     three_alpha_k,  ///< beta = 3 alpha K, paper eq. 38
 };
 
+/// Which specific heat stands before DT/Dt. Expansion that is free to happen takes beta^2 T/K of
+/// heat per volume and degree, through the stress work; a capacity at constant pressure has it
+/// already.
+enum class HeatCapacity {
+    constant_pressure,  ///< c = c_p, as the paper: what expansion takes comes on top of it
+    constant_volume     ///< c = c_p - beta^2 T/(rho K), rho that of the solid where it is
+};
+
 /// What sets the speed of the surface.
 enum class Regression {
     prescribed,  ///< r_b is given
@@ -36,6 +44,7 @@ struct SlabConditions {
     Material material{};
     SlabModel model = SlabModel::eulerian;
     ThermalStress thermal_stress = ThermalStress::three_alpha_k;
+    HeatCapacity heat_capacity = HeatCapacity::constant_pressure;
     Regression regression = Regression::prescribed;
     double heat_flux = missing;         ///< Q [W/m^2], from the flame
     double burn_rate = missing;         ///< r_b [m/s]; read if prescribed
@@ -51,6 +60,10 @@ void require_valid(const SlabConditions& conditions);
 
 /// beta [Pa/K] of the material as these conditions read it; 0 for SlabModel::thermal.
 double thermal_stress_modulus(const SlabConditions& conditions);
+
+/// How much of the stress work counts beside c_p: all of it, or, where c_p - c_v is given back, the
+/// share 1 - P/K = -4 mu/(3 K), with which confinement falls short of free expansion.
+double counted_stress_work(const SlabConditions& conditions);
 
 /// r_b [m/s] at surface temperature T_s [K]: the prescribed one, or the pyrolysis law.
 double burn_rate_at(const SlabConditions& conditions, double surface_temperature);

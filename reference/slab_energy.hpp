@@ -7,11 +7,16 @@ namespace crawford::reference {
 /// The steady energy equation of a slab, integrated once: kappa T' = r_b g(D) + C with D = T - T0.
 ///
 ///     thermal            g = rho c_p D
-///     Kuznetsov-Stewart  g = rho c_p D + beta theta (T^2 - T0^2)/2
-///     Eulerian           g = (rho c_p + beta theta T0 - beta) expm1(theta D)/theta
-///                            + beta D exp(theta D)
-///     mass conserving    g = rho c_p D + (beta theta T0 - beta) expm1(theta D)/theta
-///                            + beta D exp(theta D)
+///     Kuznetsov-Stewart  g = rho c_p D + s W,   W = beta theta (T^2 - T0^2)/2
+///     Eulerian           g = rho c_p expm1(theta D)/theta + s W
+///     mass conserving    g = rho c_p D + s W,
+///                            W = beta (theta T0 - 1) expm1(theta D)/theta + beta D exp(theta D)
+///
+/// W, the integral of beta theta T exp(theta D) in the last two, is the stress work of a solid that
+/// cannot widen. s = 1 where c = c_p. Where c = c_v, the stored heat is less by the integral of
+/// beta^2 T/K exp(theta D), which is (P/K) W, so that s = 1 - P/K = -4 mu/(3 K): a solid without
+/// shear modulus takes c_p and nothing else, and a stiff one a little less, because it may not
+/// expand as far as it would.
 ///
 /// C is the heat that leaves through the bottom of a layer of finite depth, 0 in a half space.
 class SlabEnergy {
@@ -22,17 +27,21 @@ public:
     double heat_content(double rise) const;
 
     /// g'(0) [J/(m^3 K)]: capacity of the cold solid, its thermal stress included.
-    double cold_capacity() const { return rho_c_ + beta_ * theta_ * cold_; }
+    double cold_capacity() const { return rho_c_ + counted_work_ * beta_ * theta_ * cold_; }
+
+    /// D [K] beyond which the solid would take no more heat, g' = 0; infinite at constant pressure.
+    double largest_rise() const;
 
     /// theta = beta/P [1/K].
     double theta() const { return theta_; }
 
 private:
     SlabModel model_;
-    double rho_c_;  // rho c_p [J/(m^3 K)]
-    double beta_;   // [Pa/K]
-    double theta_;  // [1/K]
-    double cold_;   // T0 [K]
+    double rho_c_;         // rho c_p [J/(m^3 K)]
+    double beta_;          // [Pa/K]
+    double theta_;         // [1/K]
+    double counted_work_;  // s
+    double cold_;          // T0 [K]
 };
 
 }  // namespace crawford::reference

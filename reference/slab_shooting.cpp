@@ -23,6 +23,9 @@ public:
           model_(conditions.model),
           beta_(thermal_stress_modulus(conditions)),
           cold_(conditions.cold_temperature),
+          given_back_(conditions.heat_capacity == HeatCapacity::constant_volume
+                          ? beta_ * beta_ / material_.bulk_modulus
+                          : 0.0),
           burn_rate_(burn_rate) {}
 
     void operator()(const State& state, State& rate, double /*y*/) const {
@@ -36,8 +39,10 @@ public:
         // sigma_22 stays at -p_c: carrier sigma_22' = P v' - beta carrier T' = 0
         const double stretching = beta_ * carrier * slope / material_.uniaxial_modulus();
         rate[0] = slope;
-        rate[1] = material_.density * thickening * material_.specific_heat * slope +
-                  beta_ * (cold_ + rise) * stretching;
+        const double temperature = cold_ + rise;
+        const double convection = material_.density * material_.specific_heat * thickening -
+                                  given_back_ * temperature * carrier;
+        rate[1] = convection * slope + beta_ * temperature * stretching;
         rate[2] = stretching;
         rate[3] = (material_.lame() * stretching - beta_ * carrier * slope) / carrier;
     }
@@ -54,6 +59,7 @@ private:
     SlabModel model_;
     double beta_;
     double cold_;
+    double given_back_;  // rho (c_p - c)/T [J/(m^3 K^2)]
     double burn_rate_;
 };
 
@@ -80,8 +86,7 @@ public:
 
     /// Where the integration starts [m].
     double bottom() const { return bottom_; }
-    /// Slope (as log_slope_) that a slab with the properties of the cold solid would need: an upper
-    /// bound.
+    /// Slope (as log_slope_) that a slab with the properties of the cold solid would need.
     double linear_log_slope() const { return growth_ * bottom_; }
 
     State start(double log_slope) const {
@@ -148,17 +153,19 @@ SlabShooting::SlabShooting(const SlabConditions& conditions) : conditions_(condi
         return;
     }
     // Guess T_s, burn as the law says, and compare the T_s that comes out: hotter guesses burn
-    // faster, which leaves less heat per volume.
+    // faster, which leaves less heat per volume. Come from the hot side: far below the answer so
+    // much heat is left that at constant volume no slab could take it.
     const auto surprise = [&](double guess) {
         const double rate = burn_rate_at(conditions_, guess);
         if (entering_flux(conditions_, rate) <= 0.0) return conditions_.cold_temperature - guess;
         return shoot(rate) - guess;
     };
-    double low = conditions_.cold_temperature + 1.0;
-    double high = 2.0 * low;
-    while (surprise(high) > 0.0) {
-        low = high;
-        high *= 2.0;
+    double high = 4.0 * conditions_.cold_temperature;
+    while (surprise(high) > 0.0) high *= 2.0;
+    double low = 0.9 * high;
+    while (surprise(low) < 0.0) {
+        high = low;
+        low *= 0.9;
     }
     surface_temperature_ = bracketed_root(surprise, low, high);
     shoot(burn_rate_at(conditions_, surface_temperature_));
@@ -177,6 +184,10 @@ double SlabShooting::shoot(double burn_rate) {
     while (overshoot(low) > 0.0) {
         high = low;
         low -= 1.0;
+    }
+    while (overshoot(high) < 0.0) {
+        low = high;
+        high += 1.0;
     }
     log_slope_ = bracketed_root(overshoot, low, high);
     return conditions_.cold_temperature + shot.surface(log_slope_)[0];

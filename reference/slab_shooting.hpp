@@ -16,8 +16,7 @@ struct ShotState {
 
 /// The homogeneous steady burning slab once more, by another road: the differential equations
 ///
-///     kappa T'' = (mass carried) c_p T' + beta T v',   sigma_22' = 0 (which gives v'),
-///     sigma_11'
+///     kappa T'' = (mass carried) c T' + beta T v',   sigma_22' = 0 (which gives v'),   sigma_11'
 ///
 /// are integrated from the cold side with an adaptive Bulirsch-Stoer method (Boost.Odeint), and the
 /// slope at the bottom (and r_b, under the burning law) is varied until the flux at the surface is

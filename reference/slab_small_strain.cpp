@@ -18,7 +18,8 @@ double small_strain_sensitivity(const SlabConditions& conditions) {
     const double hot = Slab(small).surface_temperature();
     const double rise = hot - small.cold_temperature;
     const double beta = thermal_stress_modulus(small);
-    const double coupling = beta * beta / small.material.uniaxial_modulus();  // beta theta
+    const double coupling =
+        counted_stress_work(small) * beta * beta / small.material.uniaxial_modulus();
     const double heat_capacity = small.material.density * small.material.specific_heat;
     const double carried =
         rise * rise *

@@ -9,11 +9,12 @@ namespace crawford::reference {
 /// T_s
 /// - T0 and a given burn rate, g_E = g_KS + theta g_1 + O(theta^2), where
 ///
-///     g_1 = integral from 0 to D of d (rho c_p + beta theta (T0 + d)) dd
+///     g_1 = integral from 0 to D of d (rho c_p + s beta theta (T0 + d)) dd
 ///
-/// is the heat that the stretch theta d carries beside r_b, so that
+/// with s of reference/slab_energy.hpp is the heat that the stretch theta d carries beside r_b, so
+/// that
 ///
-///     d T_s/d(theta) = -g_1/(rho c_p + beta theta T_s).
+///     d T_s/d(theta) = -g_1/(rho c_p + s beta theta T_s).
 ///
 /// \param conditions of either model; K and mu times N^2 with alpha over N leaves the result alone.
 /// \throws std::invalid_argument naming the missing or out-of-range parameter; where r_b is not

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/slab.hpp"
@@ -17,6 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array models = {SlabModel::thermal, SlabModel::kuznetsov_stewart,
                                SlabModel::eulerian, SlabModel::mass_conserving};
 constexpr std::array readings = {ThermalStress::alpha_k, ThermalStress::three_alpha_k};
+constexpr std::array capacities = {HeatCapacity::constant_pressure, HeatCapacity::constant_volume};
 
 /// The paper's one-dimensional study: 0.45 cm/s, 2 MPa, no heat of reaction; Q in cal/(s cm^2).
 SlabConditions study(const Material& material, double flux) {
@@ -27,23 +29,26 @@ SlabConditions study(const Material& material, double flux) {
             .cold_temperature = 300.0};
 }
 
-/// AP and binder, every model, both readings of beta, deep and shallow, with and without the
-/// burning law.
+/// AP and binder, every model, both readings of beta and of c, deep and shallow, with and without
+/// the burning law.
 std::vector<SlabConditions> every_combination() {
     std::vector<SlabConditions> all;
     for (const Material& material : {ap(), binder()}) {
         for (const SlabModel model : models) {
             for (const ThermalStress reading : readings) {
-                for (const double depth : {infinite, 480e-6, 60e-6}) {
-                    for (const Regression regression :
-                         {Regression::prescribed, Regression::pyrolysis}) {
-                        SlabConditions conditions = study(material, 150.0);
-                        conditions.material = material;
-                        conditions.model = model;
-                        conditions.thermal_stress = reading;
-                        conditions.depth = depth;
-                        conditions.regression = regression;
-                        all.push_back(conditions);
+                for (const HeatCapacity capacity : capacities) {
+                    for (const double depth : {infinite, 480e-6, 60e-6}) {
+                        for (const Regression regression :
+                             {Regression::prescribed, Regression::pyrolysis}) {
+                            SlabConditions conditions = study(material, 150.0);
+                            conditions.material = material;
+                            conditions.model = model;
+                            conditions.thermal_stress = reading;
+                            conditions.heat_capacity = capacity;
+                            conditions.depth = depth;
+                            conditions.regression = regression;
+                            all.push_back(conditions);
+                        }
                     }
                 }
             }
@@ -121,35 +126,81 @@ TEST(Slab, ClosedFormAgreesWithShootingInTheColdTail) {
 // Truncation is about (m h)^6/140 = 1e-12 where the profile is steepest, 1/m = 20 um, and rounding
 // 1e-13 K/(T' h) = 1e-13.
 TEST(Slab, ProfileObeysTheEnergyEquation) {
-    SlabConditions conditions = study(binder(), 100.0);
-    const Slab slab(conditions);
-    const Material& m = conditions.material;
-    const double beta = 3.0 * m.thermal_expansion * m.bulk_modulus;
-    const double h = 0.5e-6;
-    for (const double y : {-10e-6, -30e-6, -60e-6, -120e-6}) {
-        std::vector<double> points;
-        for (int k = -3; k <= 3; ++k) points.push_back(y + k * h);
-        const auto s = slab.states(points);
-        const auto first = [&](auto field) {
-            return (45.0 * (s[4].*field - s[2].*field) - 9.0 * (s[5].*field - s[1].*field) +
-                    (s[6].*field - s[0].*field)) /
-                   (60.0 * h);
-        };
-        const double conduction = m.thermal_conductivity * first(&SlabState::temperature_gradient);
-        const double slope = first(&SlabState::temperature);
-        const double stretching = first(&SlabState::velocity);
-        const double convection =
-            m.density * m.specific_heat * (slab.burn_rate() + s[3].velocity) * slope;
-        const double work = beta * s[3].temperature * stretching;
-        EXPECT_NEAR(conduction, convection + work, 1e-9 * conduction);
-        EXPECT_NEAR(slope, s[3].temperature_gradient, 1e-9 * slope);
+    for (const HeatCapacity capacity : capacities) {
+        SlabConditions conditions = study(binder(), 100.0);
+        conditions.heat_capacity = capacity;
+        const Slab slab(conditions);
+        const Material& m = conditions.material;
+        const double beta = 3.0 * m.thermal_expansion * m.bulk_modulus;
+        const double h = 0.5e-6;
+        for (const double y : {-10e-6, -30e-6, -60e-6, -120e-6}) {
+            std::vector<double> points;
+            for (int k = -3; k <= 3; ++k) points.push_back(y + k * h);
+            const auto s = slab.states(points);
+            const auto first = [&](auto field) {
+                return (45.0 * (s[4].*field - s[2].*field) - 9.0 * (s[5].*field - s[1].*field) +
+                        (s[6].*field - s[0].*field)) /
+                       (60.0 * h);
+            };
+            const double conduction =
+                m.thermal_conductivity * first(&SlabState::temperature_gradient);
+            const double slope = first(&SlabState::temperature);
+            const double stretching = first(&SlabState::velocity);
+            const double given_back = capacity == HeatCapacity::constant_volume
+                                          ? beta * beta / m.bulk_modulus * s[3].temperature
+                                          : 0.0;
+            const double convection = (m.density * m.specific_heat - given_back) *
+                                      (slab.burn_rate() + s[3].velocity) * slope;
+            const double work = beta * s[3].temperature * stretching;
+            EXPECT_NEAR(conduction, convection + work, 1e-9 * conduction);
+            EXPECT_NEAR(slope, s[3].temperature_gradient, 1e-9 * slope);
 
-        // stress: (r_b + v) sigma' = C:D - beta (r_b + v) T', for both normal components
-        const double carrier = slab.burn_rate() + s[3].velocity;
-        const double heating = beta * carrier * slope;
-        EXPECT_NEAR(m.uniaxial_modulus() * stretching - heating, 0.0, 1e-9 * heating);
-        EXPECT_NEAR(m.lame() * stretching - heating, carrier * first(&SlabState::stress_11),
-                    1e-9 * heating);
+            // stress: (r_b + v) sigma' = C:D - beta (r_b + v) T', for both normal components
+            const double carrier = slab.burn_rate() + s[3].velocity;
+            const double heating = beta * carrier * slope;
+            EXPECT_NEAR(m.uniaxial_modulus() * stretching - heating, 0.0, 1e-9 * heating);
+            EXPECT_NEAR(m.lame() * stretching - heating, carrier * first(&SlabState::stress_11),
+                        1e-9 * heating);
+        }
+    }
+}
+
+// A solid that expands as if nothing confined it takes c_p, whatever it is made of: with the
+// capacity at constant volume, mass conserved and no shear modulus to resist, stress work leaves no
+// trace in the temperature. With binder's own shear modulus what is left is 4 mu/(3 K) = 3e-4 of
+// its stress work, some 1e-4 of its heat.
+TEST(Slab, FreeExpansionTakesTheHeatCapacityAtConstantPressure) {
+    for (const ThermalStress reading : readings) {
+        for (const SlabModel model : {SlabModel::kuznetsov_stewart, SlabModel::mass_conserving}) {
+            SlabConditions conditions = study(binder(), 100.0);
+            conditions.thermal_stress = reading;
+            conditions.heat_capacity = HeatCapacity::constant_volume;
+            conditions.model = SlabModel::thermal;
+            const double rigid = Slab(conditions).surface_temperature();
+            conditions.model = model;
+            EXPECT_NEAR(Slab(conditions).surface_temperature(), rigid, 0.3);
+            EXPECT_GT(Slab(conditions).surface_temperature(), rigid);
+            conditions.material.shear_modulus = 1e-3;
+            EXPECT_NEAR(Slab(conditions).surface_temperature(), rigid, 1e-9);
+        }
+    }
+}
+
+// Beyond largest_rise() more heat would make it colder.
+TEST(Slab, RefusesMoreHeatThanTheSolidCanTake) {
+    SlabConditions conditions = study(ap(), 200.0);
+    conditions.heat_capacity = HeatCapacity::constant_volume;
+    conditions.model = SlabModel::kuznetsov_stewart;
+    conditions.material.thermal_expansion = 1e-4;
+    EXPECT_LT(Slab(conditions).surface_temperature(), 2000.0);
+    conditions.heat_flux *= 2.0;
+    try {
+        Slab slab(conditions);
+        FAIL() << slab.surface_temperature();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(
+            std::string(error.what()),
+            "heat_flux is too large: the solid is out of heat capacity before it conducts it");
     }
 }
 
@@ -195,8 +246,11 @@ TEST(Slab, KuznetsovStewartIsTheSmallStrainLimit) {
 // The slope of that limit by perturbation, against divided differences of the closed forms,
 // extrapolated twice. 1/N = 1/512 leaves (theta D/N)^3 = 1e-10, and rounding of T_s 1e-13 N.
 TEST(Slab, SensitivityToSmallStrain) {
-    for (const Material& material : {ap(), binder()}) {
+    for (const auto& [material, capacity] :
+         {std::pair{ap(), capacities[0]}, std::pair{binder(), capacities[0]},
+          std::pair{ap(), capacities[1]}, std::pair{binder(), capacities[1]}}) {
         SlabConditions conditions = study(material, 100.0);
+        conditions.heat_capacity = capacity;
         const double small_strain = [&] {
             SlabConditions small = conditions;
             small.model = SlabModel::kuznetsov_stewart;
