@@ -31,7 +31,7 @@ ElasticStep::ElasticStep(const Scene& scene, const std::function<double(double x
                          const Sources& sources)
     : grid_(scene.domain), displacement_(grid_.node_columns(), grid_.rows() + 1) {
     for (int i = 0; i < grid_.node_columns(); ++i) surface_.push_back(height(grid_.x(i)));
-    MaterialMap materials(scene.morphology, grid_);
+    MaterialMap materials(scene.morphology, grid_, scene.numerics);
     materials.follow(surface_);
     const Element element = scene.numerics.element;
     const Checkerboard checkerboard(grid_, materials, element);

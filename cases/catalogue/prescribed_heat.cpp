@@ -125,7 +125,7 @@ PrescribedHeat burning(Scene scene, const reference::HeatedSolid& solid,
 FoundHeat advance(const PrescribedHeat& heat, int steps) {
     const Scene& scene = heat.scene;
     const Grid grid(scene.domain);
-    const MaterialMap materials(scene.morphology, grid);
+    const MaterialMap materials(scene.morphology, grid, scene.numerics);
     const BurningLaw law(scene.physics.regression, scene.surface);
     HeatStep step(scene, grid, materials, law, heat.sources);
 

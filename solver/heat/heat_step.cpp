@@ -110,6 +110,7 @@ void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMo
     const auto nodes = corners(grid_, i, j);
     const double share = 0.25 * cell.area();
     const double kappa = materials_.thermal_conductivity(i, j);
+    const Eigen::Matrix2d further = materials_.further_conductivity(i, j);
     const double mean_temperature = interpolate(gather(temperature, nodes), cell_centre);
 
     double heat_capacity = capacity(i, j, mean_temperature);
@@ -127,7 +128,9 @@ void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMo
         for (int q = 0; q < 4; ++q) {
             transport_.add(nodes, vertex, q, share * carried.dot(hats[size_t(q)]));
             for (int p = 0; p < 4; ++p)
-                transport_.add(nodes, p, q, share * kappa * hats[size_t(p)].dot(hats[size_t(q)]));
+                transport_.add(nodes, p, q,
+                               share * kappa * hats[size_t(p)].dot(hats[size_t(q)]) +
+                                   share * hats[size_t(p)].dot(further * hats[size_t(q)]));
         }
         const Node& node = nodes[size_t(vertex)];
         mass_(node.i, node.j) += share * heat_capacity;

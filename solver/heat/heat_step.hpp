@@ -4,7 +4,8 @@
 /// Crank-Nicolson in time, or implicit where the time step says so. In space bilinear elements with
 /// vertex quadrature on the surface-following cells: second order, the flux through the surface is
 /// the natural boundary condition, and the metric cross terms of a sloped surface come with the
-/// gradient. On a flat grid it is the five-point stencil.
+/// gradient. On a flat grid it is the five-point stencil, but for cut cells that conduct as
+/// laminates.
 #pragma once
 
 #include "solver/burning/burn_rate.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/morphology/disc_overlap.hpp"
+#include "solver/morphology/interface_normal.hpp"
 #include "solver/morphology/strip_overlap.hpp"
 
 namespace crawford {
@@ -18,6 +19,10 @@ double harmonic(double fraction, double first, double second) {
     return 1.0 / (fraction / first + (1.0 - fraction) / second);
 }
 
+bool is_cut(double fraction) {
+    return fraction != 0.0 && fraction != 1.0;
+}
+
 /// A cell that is full or empty but for round-off is full or empty.
 double snapped(double fraction) {
     constexpr double round_off = 1e-9;
@@ -27,8 +32,12 @@ double snapped(double fraction) {
 
 }  // namespace
 
-MaterialMap::MaterialMap(const Morphology& morphology, const Grid& grid)
-    : grid_(grid), morphology_(morphology), fraction_(grid.cell_columns(), grid.rows(), 1.0) {
+MaterialMap::MaterialMap(const Morphology& morphology, const Grid& grid, const Numerics& numerics)
+    : grid_(grid),
+      morphology_(morphology),
+      conductivity_(numerics.cut_cell_conductivity),
+      moduli_(numerics.cut_cell_moduli),
+      fraction_(grid.cell_columns(), grid.rows(), 1.0) {
     follow(SurfaceField(size_t(grid.node_columns()), 0.0));
 }
 
@@ -48,6 +57,15 @@ void MaterialMap::follow(const SurfaceField& surface, const NodeVectors& shift) 
     }
     if (const auto* discs = std::get_if<Discs>(&morphology_.shape)) fill_discs(*discs, where);
     for (double& fraction : fraction_.values()) fraction = snapped(fraction);
+    if (is_laminate()) find_normals(surface);
+}
+
+void MaterialMap::find_normals(const SurfaceField& surface) {
+    normal_ = Lattice<Vector>(grid_.cell_columns(), grid_.rows());
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        for (int j = 0; j < grid_.rows(); ++j)
+            if (is_cut(fraction_(i, j)))
+                normal_(i, j) = interface_normal(grid_, surface, fraction_, i, j);
 }
 
 void MaterialMap::fill_strip(double width) {
@@ -100,7 +118,16 @@ void MaterialMap::add_disc(Vector centre, double radius, const CarriedGrid& carr
 }
 
 double MaterialMap::thermal_conductivity(int i, int j) const {
-    return arithmetic(fraction_(i, j), first().thermal_conductivity, second().thermal_conductivity);
+    const auto mean = conductivity_ == CutConductivity::harmonic ? harmonic : arithmetic;
+    return mean(fraction_(i, j), first().thermal_conductivity, second().thermal_conductivity);
+}
+
+Eigen::Matrix2d MaterialMap::further_conductivity(int i, int j) const {
+    if (!is_laminate() || !is_cut(fraction_(i, j))) return Eigen::Matrix2d::Zero();
+    const double across =
+        harmonic(fraction_(i, j), first().thermal_conductivity, second().thermal_conductivity);
+    const Vector& normal = normal_(i, j);
+    return (across - thermal_conductivity(i, j)) * normal * normal.transpose();
 }
 
 double MaterialMap::density(int i, int j) const {
@@ -112,12 +139,17 @@ double MaterialMap::heat_capacity(int i, int j) const {
                       second().density * second().specific_heat);
 }
 
+double MaterialMap::modulus(int i, int j, double Material::*property) const {
+    const auto mean = moduli_ == CutModuli::harmonic ? harmonic : arithmetic;
+    return mean(fraction_(i, j), first().*property, second().*property);
+}
+
 double MaterialMap::bulk_modulus(int i, int j) const {
-    return harmonic(fraction_(i, j), first().bulk_modulus, second().bulk_modulus);
+    return modulus(i, j, &Material::bulk_modulus);
 }
 
 double MaterialMap::shear_modulus(int i, int j) const {
-    return harmonic(fraction_(i, j), first().shear_modulus, second().shear_modulus);
+    return modulus(i, j, &Material::shear_modulus);
 }
 
 double MaterialMap::thermal_expansion(int i, int j) const {

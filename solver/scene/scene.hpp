@@ -135,6 +135,19 @@ enum class StrainNorm {
     largest_component  ///< max |E_ij|
 };
 
+/// How the two materials of a cut cell conduct together.
+enum class CutConductivity {
+    arithmetic,  ///< side by side: right for heat along an interface
+    harmonic,    ///< in series: right for heat across it
+    laminate     ///< in series along the normal of the interface, side by side along the interface
+};
+
+/// How stiff, in K and in mu, the two materials of a cut cell are together.
+enum class CutModuli {
+    arithmetic,  ///< side by side: they share a strain
+    harmonic     ///< in series: they share a stress
+};
+
 struct Numerics {
     Element element = Element::bbar;
     LinearSolver solver = LinearSolver::cholmod;
@@ -147,6 +160,8 @@ struct Numerics {
     HeatCapacity heat_capacity = HeatCapacity::constant_pressure;
     SurfaceMotion surface_motion = SurfaceMotion::burning;
     StrainNorm strain_norm = StrainNorm::frobenius;
+    CutConductivity cut_cell_conductivity = CutConductivity::arithmetic;
+    CutModuli cut_cell_moduli = CutModuli::harmonic;
     /// tau [s] of a Kelvin-Voigt stress 2 mu tau dev D in the softer material. Not given, it is
     /// viscous_time_at_a_corner where a surface of two materials burns, and zero everywhere else.
     std::optional<double> viscous_time = std::nullopt;

@@ -111,6 +111,12 @@ void visit(Table& table, Numerics& n) {
         Word<SurfaceMotion>{"burning with material", SurfaceMotion::burning_with_material}};
     static constexpr std::array norms{Word<StrainNorm>{"frobenius", StrainNorm::frobenius},
                                       Word<StrainNorm>{"largest", StrainNorm::largest_component}};
+    static constexpr std::array conductivities{
+        Word<CutConductivity>{"arithmetic", CutConductivity::arithmetic},
+        Word<CutConductivity>{"harmonic", CutConductivity::harmonic},
+        Word<CutConductivity>{"laminate", CutConductivity::laminate}};
+    static constexpr std::array moduli{Word<CutModuli>{"arithmetic", CutModuli::arithmetic},
+                                       Word<CutModuli>{"harmonic", CutModuli::harmonic}};
     table.choice("element", n.element, elements);
     table.choice("solver", n.solver, solvers);
     table.number("solver_tolerance", n.solver_tolerance, {"", 1e-15, 1e-2});
@@ -121,6 +127,8 @@ void visit(Table& table, Numerics& n) {
     table.choice("heat_capacity", n.heat_capacity, capacities);
     table.choice("surface_motion", n.surface_motion, motions);
     table.choice("strain_norm", n.strain_norm, norms);
+    table.choice("cut_cell_conductivity", n.cut_cell_conductivity, conductivities);
+    table.choice("cut_cell_moduli", n.cut_cell_moduli, moduli);
     table.quantity("viscous_time", n.viscous_time, {"s", 0.0, 1.0});
 }
 

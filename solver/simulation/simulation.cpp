@@ -83,7 +83,7 @@ struct Simulation::Rooms {
         : scene(std::move(s)),
           sources(std::move(given)),
           grid(scene.domain),
-          materials(scene.morphology, grid),
+          materials(scene.morphology, grid, scene.numerics),
           law(scene.physics.regression, scene.surface),
           checkerboard(grid, materials, scene.numerics.element),
           state(cold_and_at_rest(scene, grid)) {
