@@ -21,93 +21,26 @@
 #include <string>
 #include <vector>
 
+#include "cases/catalogue/elastic_inclusion.hpp"
 #include "cases/catalogue/registry.hpp"
 #include "cases/catalogue/terms.hpp"
-#include "cases/catalogue/units.hpp"
-#include "reference/faded_inclusion.hpp"
-#include "solver/simulation/simulation.hpp"
 
 namespace crawford {
 
 namespace {
 
-using namespace units;
-using reference::FadedInclusion;
 using reports::expect;
 using reports::Norm;
 
-constexpr double width = 240.0 * um;
-const Vector centre(1.7 * um, -118.1 * um);  // on no grid line
-constexpr double radius = 40.0 * um;
-
-struct Pair {
-    reference::Material inclusion, matrix;
-};
-
-FadedInclusion exact(const Pair& pair) {
-    return {reference::CircularInclusion({.inclusion = pair.inclusion,
-                                          .matrix = pair.matrix,
-                                          .radius = radius,
-                                          .far_xx = 1.0 * MPa,
-                                          .far_yy = -2.0 * MPa,
-                                          .far_xy = 1.5 * MPa}),
-            55.0 * um, 115.0 * um};
-}
-
-Material of(const reference::Material& moduli) {
-    Material material = htpb_binder();
-    material.bulk_modulus = moduli.bulk_modulus;
-    material.shear_modulus = moduli.shear_modulus;
-    return material;
-}
-
-Scene scene(const Pair& pair, int nx) {
-    Scene scene;
-    scene.domain = {.width = width, .depth = width, .nx = nx, .ny = nx, .clustering = 0.0};
-    scene.morphology = {
-        .shape = Discs{.discs = {{centre.x(), centre.y(), radius}}, .period = 10.0 * width},
-        .materials = {of(pair.inclusion), of(pair.matrix)}};
-    scene.physics = {.heat = false, .reference_map = false, .regression = Regression::none};
-    scene.bottom.support = Support::clamped;
-    return scene;
-}
-
-reports::Measurement measure(const Pair& pair, int nx) {
-    const FadedInclusion truth = exact(pair);
-    Simulation simulation(scene(pair, nx), {.body_force = [&](double x, double y, double) {
-                              return truth.body_force(x - centre.x(), y - centre.y());
-                          }});
-    simulation.step();
-    const Grid& grid = simulation.grid();
-    const State& state = simulation.state();
-    std::vector<double> found, wanted;
-    for (int i = 0; i < grid.node_columns(); ++i)
-        for (int j = 0; j <= grid.rows(); ++j) {
-            const Vector moved = state.velocity(i, j) * simulation.scene().time.step;
-            const Vector should =
-                truth.displacement(grid.x(i) - centre.x(), grid.eta(j) - centre.y());
-            for (int k = 0; k < 2; ++k) {
-                found.push_back(moved[k]);
-                wanted.push_back(should[k]);
-            }
-        }
-    std::vector<double> stress, stress_wanted;
-    for (int i = 0; i < grid.cell_columns(); ++i)
-        for (int j = 0; j < grid.rows(); ++j) {
-            const PlaneStress mean = state.stress.mean(i, j);
-            const auto should = truth.stress(grid.x(i) + 0.5 * grid.dx() - centre.x(),
-                                             grid.eta(j) + 0.5 * grid.height(j) - centre.y());
-            stress.insert(stress.end(), {mean.s11, mean.s22, mean.s33, mean.s12});
-            stress_wanted.insert(stress_wanted.end(), {should.xx, should.yy, should.zz, should.xy});
-        }
-    reports::Measurement result(1.0 / nx);
-    result.field("displacement", found, wanted).field("stress", stress, stress_wanted);
+reports::Measurement measure(const DiscAndMatrix& pair, int cells) {
+    reports::Measurement result(1.0 / cells);
+    measure_inclusion(inclusion_scene(pair, cells), faded_inclusion(pair), "", result);
     return result;
 }
 
-reports::Study study(const std::string& name, const Pair& pair) {
+reports::Study study(const std::string& name, const DiscAndMatrix& pair) {
     reports::Study study("projection-inclusion, " + name);
-    study.measure([pair](int nx) { return measure(pair, nx); })
+    study.measure([pair](int cells) { return measure(pair, cells); })
         .covers({term::elasticity, term::equilibrium, term::elastic_interface});
     return study;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/circular_inclusion.hpp"
+#include "reference/fade.hpp"
 
 namespace crawford::reference {
 
@@ -26,15 +27,8 @@ public:
     Eigen::Vector2d body_force(double x, double y) const;    ///< b [N/m^3]
 
 private:
-    struct Fade {
-        double value;
-        Eigen::Vector2d gradient;
-        Eigen::Matrix2d hessian;
-    };
-    Fade fade(double x, double y) const;
-
     CircularInclusion inclusion_;
-    double whole_, gone_;
+    Fade fade_;
 };
 
 }  // namespace crawford::reference
