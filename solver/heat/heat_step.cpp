@@ -127,10 +127,11 @@ void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMo
         const Vector carried = heat_capacity * relative_velocity(motion, nodes[size_t(vertex)]);
         for (int q = 0; q < 4; ++q) {
             transport_.add(nodes, vertex, q, share * carried.dot(hats[size_t(q)]));
+            const Vector flux = further * hats[size_t(q)];
             for (int p = 0; p < 4; ++p)
                 transport_.add(nodes, p, q,
                                share * kappa * hats[size_t(p)].dot(hats[size_t(q)]) +
-                                   share * hats[size_t(p)].dot(further * hats[size_t(q)]));
+                                   share * hats[size_t(p)].dot(flux));
         }
         const Node& node = nodes[size_t(vertex)];
         mass_(node.i, node.j) += share * heat_capacity;

@@ -5,9 +5,11 @@
 /// solid carries along: then it stands where the reference map finds it, and a cell is compared
 /// with it as the quadrilateral it came from. A cell cut by an interface holds both materials by
 /// its volume fraction. How the two conduct
-/// together, and how stiff they are together, the scene chooses. The moduli are harmonic means
-/// unless it says otherwise: two materials in series share a stress, and any mean that keeps a cut
-/// cell stiff lets it hold a stress that its softer part cannot carry once it has taken over.
+/// together, and how stiff they are together, the scene chooses. As laminates they conduct rightly
+/// both along and across the interface. The moduli are harmonic means unless it says otherwise: two
+/// materials in series share a stress, and any mean that keeps a cut cell stiff lets it hold a
+/// stress that its softer part cannot carry once it has taken over. A laminate's are no two
+/// numbers: what carries stress from cell to cell knows a pressure, a deviator and one mu.
 #pragma once
 
 #include "solver/morphology/carried_grid.hpp"

@@ -160,7 +160,7 @@ struct Numerics {
     HeatCapacity heat_capacity = HeatCapacity::constant_pressure;
     SurfaceMotion surface_motion = SurfaceMotion::burning;
     StrainNorm strain_norm = StrainNorm::frobenius;
-    CutConductivity cut_cell_conductivity = CutConductivity::arithmetic;
+    CutConductivity cut_cell_conductivity = CutConductivity::laminate;
     CutModuli cut_cell_moduli = CutModuli::harmonic;
     /// tau [s] of a Kelvin-Voigt stress 2 mu tau dev D in the softer material. Not given, it is
     /// viscous_time_at_a_corner where a surface of two materials burns, and zero everywhere else.
