@@ -126,6 +126,8 @@ TEST(Scene, DefaultsAreThoseOfThePlainData) {
     const Scene read = parse_scene(sandwich);
     const Scene plain;
     EXPECT_EQ(read.numerics.element, plain.numerics.element);
+    EXPECT_EQ(read.numerics.cut_cell_conductivity, plain.numerics.cut_cell_conductivity);
+    EXPECT_EQ(read.morphology.indicator, plain.morphology.indicator);
     EXPECT_EQ(read.domain.clustering, plain.domain.clustering);
     EXPECT_EQ(read.bottom.temperature, plain.bottom.temperature);
     EXPECT_EQ(read.morphology.materials.at(0).name, "AP");
@@ -182,7 +184,8 @@ TEST(Scene, ReadsEveryWordOfNumerics) {
               "numerics.surface_motion=burning with material", "numerics.strain_norm=largest",
               "numerics.viscous_time=0.5 ms", "surface.traction=vertical", "bottom.support=clamped",
               "time.until_steady=1e-6", "time.scheme=bdf2", "output.history_every=10",
-              "domain.half=true"});
+              "domain.half=true", "morphology.indicator=reference map",
+              "numerics.cut_cell_conductivity=harmonic", "numerics.cut_cell_moduli=arithmetic"});
     EXPECT_EQ(scene.numerics.element, Element::q1);
     EXPECT_EQ(scene.numerics.solver, LinearSolver::pcg);
     EXPECT_EQ(scene.numerics.solver_tolerance, 1e-6);
@@ -200,6 +203,9 @@ TEST(Scene, ReadsEveryWordOfNumerics) {
     EXPECT_EQ(scene.time.scheme, Stepping::bdf2);
     EXPECT_EQ(scene.output.history_every, 10);
     EXPECT_TRUE(scene.domain.half);
+    EXPECT_EQ(scene.morphology.indicator, Indicator::reference_map);
+    EXPECT_EQ(scene.numerics.cut_cell_conductivity, CutConductivity::harmonic);
+    EXPECT_EQ(scene.numerics.cut_cell_moduli, CutModuli::arithmetic);
 }
 
 TEST(Scene, StressWorkMayDifferFromThermalStress) {
@@ -238,6 +244,7 @@ TEST(Scene, TextOfASceneGivesTheSceneBack) {
     const std::vector<std::vector<std::string>> variants{
         {},
         {"domain.half=true", "time.until_steady=1e-6", "output.snapshots_every=5 ms"},
+        {"morphology.indicator=reference map", "numerics.cut_cell_conductivity=arithmetic"},
         {"morphology={kind='uniform', material='binder'}", "domain.nx=1", "domain.width=5 um"},
         {"physics.regression=fixed", "surface.burn_rate=0.45 cm/s", "title=say \"a\\b\""},
         discs};
@@ -446,6 +453,15 @@ TEST(SceneRefuses, PhysicsThatLacksItsGround) {
     expect_refused({"physics.heat=false"}, {"physics.regression", "pyrolysis", "heat"});
     expect_refused({"physics.mechanics=false", "physics.reference_map=true"},
                    {"physics.reference_map", "mechanics"});
+    expect_refused({"morphology.indicator=reference map", "physics.reference_map=false"},
+                   {"morphology.indicator = \"reference map\"", "set physics.mechanics",
+                    "reference_map = true", "\"laboratory\""});
+    expect_refused({"morphology.indicator=reference map", "physics.mechanics=false"},
+                   {"morphology.indicator"});
+    expect_refused({"morphology={kind='uniform', material='binder', indicator='laboratory'}"},
+                   {"morphology.indicator is not a key", "known: kind, material"});
+    expect_refused({"numerics.cut_cell_moduli=laminate"},
+                   {"numerics.cut_cell_moduli = \"laminate\"", "\"arithmetic\", \"harmonic\""});
     expect_refused({"physics.heat=false", "physics.mechanics=false", "physics.regression=none"},
                    {"asks for nothing"});
     expect_refused({"physics.mechanics=false", "numerics.surface_motion=burning with material"},
