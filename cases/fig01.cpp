@@ -9,6 +9,8 @@
 /// fidelity draws it finer. With clustering 2 a cell at the surface is a quarter as high as
 /// without, and one at the bottom almost five times as high.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -54,6 +56,18 @@ reports::QuadMap lines(const Grid& grid, const SurfaceField& surface, bool mappe
     return map;
 }
 
+/// The sides of the columns of cells below the surface, from the bottom up.
+void add_sides(reports::Figure& figure, const Grid& grid, const SurfaceField& surface) {
+    std::vector<double> x, bottom, top;
+    for (int i = 0; i <= grid.cell_columns(); ++i) {
+        const double phi = surface[size_t(i % grid.node_columns())];
+        x.push_back(grid.x(i) / um);
+        bottom.push_back((phi + grid.eta(0)) / um);
+        top.push_back((phi + grid.eta(grid.rows())) / um);
+    }
+    figure.table("sides", {{"x", "um", x}, {"y at the bottom", "um", bottom}, {"y", "um", top}});
+}
+
 void add_points(reports::Figure& figure, const Grid& grid, const SurfaceField& surface) {
     std::vector<double> node_x, node_y, centre_x, centre_y;
     for (int i = 0; i <= grid.cell_columns(); ++i)
@@ -79,10 +93,17 @@ Outcome fig01(const Request& request) {
     reports::Figure figure("fig01", request.out, "cases/fig01.gp");
     figure.map("uniform", lines(grid, surface, false))
         .map("mapped", lines(grid, surface, true))
-        .caption({.grid = "16 x 24, clustering 2", .revision = revision()})
-        .panel("a", reports::Format::svg, {.width = 340, .height = 560})
-        .panel("b", reports::Format::svg, {.width = 340, .height = 560})
-        .panel("c", reports::Format::svg, {.width = 620, .height = 440});
+        .caption(
+            {.grid = fmt::format("{} x {}, clustering {}", domain.nx, domain.ny, domain.clustering),
+             .revision = revision()})
+        .set("width", domain.width / um)
+        .set("depth", domain.depth / um)
+        .set("amplitude", amplitude / um)
+        .set("rows", double(domain.ny))
+        .panel("a", reports::Format::svg, {.width = 340, .height = 600})
+        .panel("b", reports::Format::svg, {.width = 340, .height = 600})
+        .panel("c", reports::Format::svg, {.width = 540, .height = 600});
+    add_sides(figure, grid, surface);
     add_points(figure, grid, surface);
     Scene scene;
     scene.title = "the grid of figure 1";

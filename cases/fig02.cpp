@@ -126,18 +126,21 @@ reports::QuadMap hat(const Place& at) {
     return map;
 }
 
+constexpr reports::PanelSize panel_size{.width = 480, .height = 460};
+
 Outcome fig02(const Request& request) {
     const Place at = place(request.fidelity);
     Outcome outcome{reports::Figure("fig02", request.out, "cases/fig02.gp"), {}, {at.scene}};
     outcome.figure.map("hat", hat(at))
         .caption({.grid = grid_text(at.scene), .revision = revision()})
-        .panel("a", reports::Format::png, {.width = 460, .height = 440});
+        .set("panel_ratio", double(panel_size.width) / panel_size.height)
+        .panel("a", reports::Format::png, panel_size);
     for (const auto& [name, panel, element] :
          {std::tuple{"q1", "b", Element::q1}, std::tuple{"bbar", "c", Element::bbar}}) {
         const Couplings nine = couplings(at, element);
         outcome.figure
             .table(name, {{"x", "um", nine.x}, {"y", "um", nine.y}, {"A_uu", "GPa", nine.value}})
-            .panel(panel, reports::Format::svg, {.width = 460, .height = 440});
+            .panel(panel, reports::Format::svg, panel_size);
         outcome.findings.push_back(
             {std::string(name) + ": u-u coupling of the node with itself", nine.value[4], "GPa"});
         outcome.findings.push_back(

@@ -27,25 +27,49 @@ using namespace units;
 using reference::SlabModel;
 using reports::Column;
 
-int cells(Fidelity fidelity) {
+int rows(Fidelity fidelity) {
     return fidelity == Fidelity::draft ? 48 : fidelity == Fidelity::paper ? 96 : 192;
 }
 
-std::vector<Column> line(const reference::Slab& slab) {
-    std::vector<Column> columns{
-        {"depth", "um", {}}, {"T", "K", {}}, {"p", "MPa", {}}, {"v", "um/s", {}}, {"F22", "-", {}}};
-    for (int k = 0; k <= 240; ++k) {
-        const double y = -k * 1.0 * um;
-        const reference::SlabState state = slab.state(y);
-        const double row[] = {-y / um, state.temperature, state.pressure / MPa,
-                              state.velocity / (um / s), state.deformation_gradient_22};
-        for (std::size_t c = 0; c < columns.size(); ++c) columns[c].values.push_back(row[c]);
-    }
+/// A quantity of the exact solutions, as the figure shows it.
+struct Quantity {
+    std::string name, unit;
+    double (*of)(const reference::SlabState&);  ///< in `unit`
+};
+const Quantity T{"T", "K", [](const reference::SlabState& at) { return at.temperature; }};
+const Quantity p{"p", "MPa", [](const reference::SlabState& at) { return at.pressure / MPa; }};
+const Quantity v{"v", "um/s",
+                 [](const reference::SlabState& at) { return at.velocity / (um / units::s); }};
+const Quantity F22{"F22", "-",
+                   [](const reference::SlabState& at) { return at.deformation_gradient_22; }};
+
+std::vector<double> values(const reference::Slab& slab, const Quantity& quantity,
+                           const std::vector<double>& y) {
+    std::vector<double> result;
+    for (const auto& state : slab.states(y)) result.push_back(quantity.of(state));
+    return result;
+}
+
+/// A quantity, and its distance to the exact solution at the same places.
+void add(std::vector<Column>& columns, const Quantity& quantity, const std::vector<double>& found,
+         const std::vector<double>& exact) {
+    columns.push_back({quantity.name, quantity.unit, found});
+    columns.push_back({quantity.name + " - exact", quantity.unit, found});
+    for (std::size_t k = 0; k < exact.size(); ++k) columns.back().values[k] -= exact[k];
+}
+
+/// A solution every micrometre.
+std::vector<Column> line(const reference::Slab& slab, const reference::Slab& exact) {
+    std::vector<double> y;
+    for (int k = 0; k <= 240; ++k) y.push_back(-k * um);
+    std::vector<Column> columns{{"depth", "um", scaled(y, -um)}};
+    for (const Quantity& quantity : {T, p, v, F22})
+        add(columns, quantity, values(slab, quantity, y), values(exact, quantity, y));
     return columns;
 }
 
 Outcome fig03(const Request& request) {
-    const Slab ap = slab("AP", {.cells = cells(request.fidelity), .clustering = 2.0})
+    const Slab ap = slab("AP", {.cells = rows(request.fidelity), .clustering = 2.0})
                         .regressing(0.45 * cm / s)
                         .heated(200.0 * cal / (s * cm2))
                         .pressed(2.0 * MPa);
@@ -55,19 +79,21 @@ Outcome fig03(const Request& request) {
     const reference::Slab small_strain(ap.conditions(SlabModel::kuznetsov_stewart));
 
     reports::Figure figure("fig03", request.out, "cases/fig03.gp");
-    figure
-        .table("nodes", {{"depth", "um", scaled(run.node_y, -um)},
-                         {"T", "K", run.temperature},
-                         {"v", "um/s", scaled(run.velocity, um / s)}})
-        .table("cells", {{"depth", "um", scaled(run.cell_y, -um)},
-                         {"p", "MPa", scaled(run.pressure, MPa)},
-                         {"F22", "-", run.deformation_gradient_22}})
-        .table("exact", line(exact))
-        .table("small_strain", line(small_strain))
+    std::vector<Column> nodes{{"depth", "um", scaled(run.node_y, -um)}};
+    add(nodes, T, run.temperature, values(exact, T, run.node_y));
+    add(nodes, v, scaled(run.velocity, um / s), values(exact, v, run.node_y));
+    std::vector<Column> cells{{"depth", "um", scaled(run.cell_y, -um)}};
+    add(cells, p, scaled(run.pressure, MPa), values(exact, p, run.cell_y));
+    add(cells, F22, run.deformation_gradient_22, values(exact, F22, run.cell_y));
+    figure.table("nodes", nodes)
+        .table("cells", cells)
+        .table("exact", line(exact, exact))
+        .table("small_strain", line(small_strain, exact))
         .caption({.grid = fmt::format("1 x {}, clustering 2", scene.domain.ny),
                   .step = "steady",
                   .revision = revision()});
-    for (const char* panel : {"a", "b", "c", "d"}) figure.panel(panel);
+    for (const char* panel : {"a", "b", "c", "d"})
+        figure.panel(panel, reports::Format::svg, {.width = 640, .height = 540});
     const double surface = run.temperature.back();
     return {figure,
             {{"surface temperature", surface, "K"},

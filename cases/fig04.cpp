@@ -41,9 +41,14 @@ double add(Outcome& outcome, const std::string& name, const Slab& slab, SlabMode
     const Scene scene = slab.scene();
     const SlabProfile run = burn_to_steady(scene);
     const reference::Slab exact(slab.conditions(model));
-    outcome.figure.table(name, {{"depth", "um", scaled(run.node_y, -um)},
-                                {"T", "K", run.temperature},
-                                {"exact T", "K", temperatures(exact, run.node_y)}});
+    std::vector<double> line;  // every 0.5 um, so that no corner shows between nodes
+    for (int k = 0; k <= 200; ++k) line.push_back(-0.5 * um * k);
+    outcome.figure
+        .table(name, {{"depth", "um", scaled(run.node_y, -um)},
+                      {"T", "K", run.temperature},
+                      {"exact T", "K", temperatures(exact, run.node_y)}})
+        .table("exact_" + name,
+               {{"depth", "um", scaled(line, -um)}, {"T", "K", temperatures(exact, line)}});
     outcome.scenes.push_back(scene);
     outcome.findings.push_back({name + ": surface temperature", run.temperature.back(), "K"});
     outcome.findings.push_back(
@@ -56,6 +61,7 @@ void add_material(Outcome& outcome, const std::string& material, double flux, Fi
                              .regressing(0.45 * cm / s)
                              .heated(flux)
                              .pressed(2.0 * MPa);
+    outcome.figure.set("flux_" + material, flux / (cal / (s * cm2)));
     const double rigid =
         add(outcome, material + "_thermal", Slab(burning).rigid(), SlabModel::thermal);
     const double three = add(outcome, material + "_three_alpha", burning, SlabModel::eulerian);

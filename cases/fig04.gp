@@ -2,20 +2,23 @@
 
 set xlabel 'depth below the surface / µm'
 set ylabel 'T / K'
-set style line 1 lt 7 pt 6 ps 0.7 lw 1.2
-set style line 2 lt 1 pt 6 ps 0.7 lw 1.2
-set style line 3 lt 2 pt 6 ps 0.7 lw 1.2
+set style line 1 lt 7 pt 6 ps 0.7 lw 1.2 dt 1
+set style line 2 lt 1 pt 4 ps 0.7 lw 1.2 dt 2
+set style line 3 lt 2 pt 8 ps 0.8 lw 1.2 dt 4
+set samples 2
+title_of(k) = k == 1 ? 'thermal only' : k == 2 ? 'β = α K' : 'β = 3 α K'
+table_of(k) = word('thermal alpha three_alpha', k)
 
 @panel_a
-set title 'a   AP, 200 cal/(s cm^2)'
+eval heading('a', sprintf('AP, %g cal/(s cm^2)', flux_AP))
 set xrange [0:8]
-plot data_AP_thermal using 'depth [um]':'exact T [K]' with lines ls 1 title 'thermal', '' using 'depth [um]':'T [K]' with points ls 1 notitle, \
-     data_AP_alpha using 'depth [um]':'exact T [K]' with lines ls 2 title 'β = α K', '' using 'depth [um]':'T [K]' with points ls 2 notitle, \
-     data_AP_three_alpha using 'depth [um]':'exact T [K]' with lines ls 3 title 'β = 3 α K', '' using 'depth [um]':'T [K]' with points ls 3 notitle
+plot for [k = 1:3] value('data_exact_AP_' . table_of(k)) using 1:2 with lines ls k notitle, \
+     for [k = 1:3] value('data_AP_' . table_of(k)) using 1:2 with points ls k notitle, \
+     for [k = 1:3] NaN with linespoints ls k title title_of(k)
 
 @panel_b
-set title 'b   binder, 100 cal/(s cm^2)'
+eval heading('b', sprintf('binder, %g cal/(s cm^2)', flux_binder))
 set xrange [0:60]
-plot data_binder_thermal using 'depth [um]':'exact T [K]' with lines ls 1 title 'thermal', '' using 'depth [um]':'T [K]' with points ls 1 notitle, \
-     data_binder_alpha using 'depth [um]':'exact T [K]' with lines ls 2 title 'β = α K', '' using 'depth [um]':'T [K]' with points ls 2 notitle, \
-     data_binder_three_alpha using 'depth [um]':'exact T [K]' with lines ls 3 title 'β = 3 α K', '' using 'depth [um]':'T [K]' with points ls 3 notitle
+plot for [k = 1:3] value('data_exact_binder_' . table_of(k)) using 1:2 with lines ls k notitle, \
+     for [k = 1:3] value('data_binder_' . table_of(k)) using 1:2 with points ls k notitle, \
+     for [k = 1:3] NaN with linespoints ls k title title_of(k)

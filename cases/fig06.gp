@@ -3,19 +3,23 @@
 
 @loglog
 set xlabel 'Δx / µm'
-set format x '%g'
+set lmargin at screen 0.12
+set rmargin at screen 0.66
+set tmargin at screen 0.90
 set key outside right top vertical Left reverse samplen 2 spacing 1.3
+set key title "order to the finest grid\n(paper's way) | to the next" left
 symbols = 'σ_{11} σ_{22} σ_{33} τ u v'
 order(element, k) = sprintf('%s   %.2f | %.2f', word(symbols, k), value(sprintf('papers_%s_%d', element, k)), \
                             value(sprintf('unbiased_%s_%d', element, k)))
-set key title "order to the finest grid\n(paper's way) | to the next" left
 array filled[4] = [7, 5, 9, 13]
 array open[4] = [6, 4, 8, 12]
 
-# Slopes hang from above the largest error of the coarsest grid.
-slopes = "stats data_q1 using 1 name 'H' nooutput; \
-first(x, m) = top * (x / H_max)**m; set xrange [H_min / 1.25:H_max * 1.25]"
-@slopes
+# A tic for each grid. Slopes hang from above the largest error of the coarsest grid.
+stats data_q1 using 1 name 'H' nooutput
+set xrange [H_min / 1.2:H_max * 1.2]
+set xtics ()
+do for [k = 0:H_records - 1] { eval sprintf("set xtics add ('%.4g' %g)", H_max / 2**k, H_max / 2**k) }
+slope(x, m) = top * (x / H_max)**m
 
 do for [panel in 'a b c d'] {
     element = (panel eq 'a' || panel eq 'b') ? 'q1' : 'bbar'
@@ -25,18 +29,22 @@ do for [panel in 'a b c d'] {
     from = stress ? 1 : 5
     to = stress ? 4 : 6
     eval value('panel_' . panel)
-    set title sprintf('%s   %s, %s', panel, stress ? 'stress' : 'velocity', shown)
+    eval heading(panel, sprintf('%s, %s', stress ? 'stress' : 'velocity', shown))
     set ylabel stress ? 'root mean square difference / kPa' : 'root mean square difference / (µm/s)'
+    set yrange [*:*]
     top = 0
-    do for [k = from:to] {
-        stats data using 2 * k name 'E' nooutput
+    least = 1e300
+    do for [c = 2 * from:2 * to + 1] {
+        stats data using c name 'E' nooutput
         top = E_max > top ? E_max : top
+        least = E_min < least ? E_min : least
     }
-    top = 1.6 * top
+    set yrange [least / 2:4 * top]
+    top = 1.7 * top
     plot for [k = from:to] data using 1:2 * k with linespoints lt k - from + 1 pt filled[k - from + 1] title order(element, k), \
          for [k = from:to] data using 1:2 * k + 1 with linespoints lt k - from + 1 dt 3 lw 1.2 pt open[k - from + 1] notitle, \
-         first(x, 1) with lines lc rgb grey lw 1 dt 2 title 'order 1', \
-         first(x, 2) with lines lc rgb grey lw 1 dt 3 title 'order 2', \
+         slope(x, 1) with lines lc rgb grey lw 1 dt 2 title 'order 1', \
+         slope(x, 2) with lines lc rgb grey lw 1 dt 3 title 'order 2', \
          NaN with linespoints lc rgb 'black' pt 7 title 'to the finest grid', \
          NaN with linespoints lc rgb 'black' dt 3 lw 1.2 pt 6 title 'to the next finer'
 }

@@ -1,9 +1,8 @@
 # Figure 8: one line for each number of columns, the finest solid.
 
 set xlabel 'x / µm'
-set xrange [-120:120]
+set autoscale xfix
 set xtics 40
-set key title 'columns' left
 n = words(grids)
 line_of(k) = value('data_nx' . word(grids, k))
 
@@ -13,11 +12,11 @@ do for [k = 1:n] {
 }
 
 @panel_a
-set title 'a   surface temperature'
-set ylabel 'T_s / K'
-plot for [k = 1:n] line_of(k) using 1:2 with lines ls k title word(grids, k)
+eval heading('a', 'surface temperature')
+set ylabel 'T_{s}  / K'
+plot for [k = 1:n] line_of(k) using 1:2 with lines ls k title word(grids, k) . ' columns'
 
 @panel_b
-set title 'b   surface profile'
+eval heading('b', 'surface profile')
 set ylabel 'height above the edge / µm'
-plot for [k = 1:n] line_of(k) using 1:3 with lines ls k title word(grids, k)
+plot for [k = 1:n] line_of(k) using 1:3 with lines ls k title word(grids, k) . ' columns'

@@ -3,7 +3,9 @@
 
 @loglog
 set xlabel 'Δx / µm'
-set format x '%g'
+set lmargin at screen 0.12
+set rmargin at screen 0.66
+set tmargin at screen 0.90
 set key outside right top vertical Left reverse samplen 2 spacing 1.3
 set key title "order to the finest grid\n(paper's way) | to the next" left
 symbols = 'σ_{11} σ_{22} σ_{33} τ u v ξ_1 ξ_2'
@@ -11,22 +13,30 @@ order(k) = sprintf('%s   %.2f | %.2f', word(symbols, k), value(sprintf('papers_s
                    value(sprintf('unbiased_sandwich_%d', k)))
 array filled[4] = [7, 5, 9, 13]
 array open[4] = [6, 4, 8, 12]
+
+# A tic for each grid. The slope hangs from above the largest error of the coarsest grid.
 stats data_sandwich using 1 name 'H' nooutput
-set xrange [H_min / 1.25:H_max * 1.25]
+set xrange [H_min / 1.2:H_max * 1.2]
+set xtics ()
+do for [k = 0:H_records - 1] { eval sprintf("set xtics add ('%.4g' %g)", H_max / 2**k, H_max / 2**k) }
 first(x) = top * x / H_max
 
 do for [panel in 'a b c'] {
     from = panel eq 'a' ? 1 : panel eq 'b' ? 5 : 7
     to = panel eq 'a' ? 4 : from + 1
     eval value('panel_' . panel)
-    set title panel . '   ' . (panel eq 'a' ? 'stress' : panel eq 'b' ? 'velocity' : 'reference map')
+    eval heading(panel, panel eq 'a' ? 'stress' : panel eq 'b' ? 'velocity' : 'reference map')
     set ylabel 'root mean square difference / ' . (panel eq 'a' ? 'MPa' : panel eq 'b' ? '(µm/s)' : 'µm')
+    set yrange [*:*]
     top = 0
-    do for [k = from:to] {
-        stats data_sandwich using 2 * k name 'E' nooutput
+    least = 1e300
+    do for [c = 2 * from:2 * to + 1] {
+        stats data_sandwich using c name 'E' nooutput
         top = E_max > top ? E_max : top
+        least = E_min < least ? E_min : least
     }
-    top = 1.6 * top
+    set yrange [least / 2:4 * top]
+    top = 1.7 * top
     plot for [k = from:to] data_sandwich using 1:2 * k with linespoints lt k - from + 1 pt filled[k - from + 1] title order(k), \
          for [k = from:to] data_sandwich using 1:2 * k + 1 with linespoints lt k - from + 1 dt 3 lw 1.2 pt open[k - from + 1] notitle, \
          first(x) with lines lc rgb grey lw 1 dt 2 title 'order 1', \

@@ -93,6 +93,9 @@ reports::QuadMap fraction_map(const Scene& scene) {
     return map;
 }
 
+constexpr double map_width = 210.0;  // [points]
+constexpr double left = 80.0, right = 115.0, foot = 95.0, head = 75.0;
+
 Outcome fig12(const Request& request) {
     const Scene scene = pack(request.fidelity);
     const Discs& discs = std::get<Discs>(scene.morphology.shape);
@@ -106,17 +109,28 @@ Outcome fig12(const Request& request) {
     const double fraction = area / (width * discs.period);
     const double gap = smallest_gap(discs, width);
 
+    const double map_height = map_width * discs.period / width;
+    const reports::PanelSize panel_size{.width = int(left + map_width + right),
+                                        .height = int(foot + map_height + head)};
+
     reports::Figure figure("fig12", request.out, "cases/fig12.gp");
     add_discs(figure, discs, width);
     figure.map("fraction", fraction_map(scene))
         .set("width", width / um)
+        .set("count", double(discs.discs.size()))
+        .set("largest_radius", sizes.begin()->first / um)
+        .set("smallest_radius", sizes.rbegin()->first / um)
         .set("period", discs.period / um)
         .set("depth", scene.domain.depth / um)
         .caption({.grid = grid_text(scene),
                   .revision = revision(),
                   .note = fmt::format("{:.1f} % AP", 100.0 * fraction)})
-        .panel("a", reports::Format::svg, {.width = 420, .height = 760})
-        .panel("b", reports::Format::png, {.width = 420, .height = 760});
+        .set("left_side", left / panel_size.width)
+        .set("right_side", (left + map_width) / panel_size.width)
+        .set("foot_side", foot / panel_size.height)
+        .set("head_side", (foot + map_height) / panel_size.height)
+        .panel("a", reports::Format::svg, panel_size)
+        .panel("b", reports::Format::png, panel_size);
     Outcome outcome{figure,
                     {{"area fraction of AP", fraction, "-"},
                      {"smallest gap between discs", gap / um, "um"},

@@ -1,37 +1,43 @@
 # Figure 12: the box of the pack (solid line), the window of the burning (dashed).
 
-@map_axes
-set xlabel 'x / µm' offset 0,1.0
-set ylabel 'y / µm' offset -1.5,0
-set xtics 60
-set ytics 120
 set xrange [-width / 2:width / 2]
 set yrange [-period:0]
-set lmargin at screen 0.25
-set rmargin at screen 0.75
-set bmargin at screen 0.12
-set tmargin at screen 0.95
-set arrow 1 from -width / 2, -depth to width / 2, -depth nohead front dt 2 lw 1.6 lc rgb '#d55e00'
+eval map_place(left_side, right_side, foot_side, head_side)
+@map_frame
+set xtics width / 4
+set ytics 120
+set xlabel 'x / µm'
+set ylabel 'y / µm'
+set style line 1 lc rgb '#d55e00' lw 1.6 dt 2
+set key on at graph 0, graph 1.01 left bottom vertical
+
+# Lighter discs are smaller.
+share(r) = (r - smallest_radius) / (largest_radius - smallest_radius)
+mixed(light, dark, r) = int(light + (dark - light) * share(r))
+colour(r) = 65536 * mixed(0xc4, 0x4d, r) + 256 * mixed(0xdf, 0x8f, r) + mixed(0xee, 0xb5, r)
 
 @panel_a
-set title 'a   discs of AP in binder'
-set xlabel 'x / µm' offset 0,0
-set ylabel 'y / µm' offset 0,0
-set xtics offset 0,0
-unset colorbox
-colour(r) = r > 35 ? 0x4d8fb5 : r > 25 ? 0x7fb3d0 : 0xb5d6e8
+eval heading('a', sprintf('%g discs of AP in binder', count))
 set style fill solid 1.0 border lc rgb '#404040'
-plot data_discs using 1:2:3:(colour(column(3))) with circles lc rgb variable notitle
+plot data_discs using 1:2:3:(colour(column(3))) with circles lc rgb variable notitle, \
+     -depth with lines ls 1 title 'bottom of the window at t = 0'
 
 @panel_b
-set title 'b   as the grid sees it'
-set xlabel 'x / µm' offset 0,1.4
-set xtics offset 0,1.2
-set ylabel 'y / µm' offset -2.5,0
-set ytics offset -1.8,0
-set colorbox
-set cblabel 'volume fraction of AP'
+set multiplot
+@map_only
+unset key
 set palette defined (0 '#ffffff', 1 '#4d8fb5')
 set cbrange [0:1]
+set cblabel 'volume fraction of AP'
 @colours_fraction
 splot data_fraction using 1:2:3 with pm3d
+@map_frame
+set xtics width / 4
+set ytics 120
+set xlabel 'x / µm'
+set ylabel 'y / µm'
+set key on
+eval heading('b', 'as the grid sees them')
+@small_print
+plot -depth with lines ls 1 title 'bottom of the window at t = 0'
+unset multiplot

@@ -151,9 +151,10 @@ Outcome table1(const Request& request) {
     }
     outcome.figure
         .caption({.revision = revision(),
-                  .note = "r_b = 1 cm/s, L = 28 um, T_0 = 300 K; for the last three the paper "
-                          "states orders of magnitude"})
-        .panel("a", reports::Format::svg, {.width = 820, .height = 560});
+                  .note = fmt::format("r_b = {:g} cm/s, L = {:g} µm, T_0 = {:g} K; for the last "
+                                      "three the paper states orders of magnitude",
+                                      burn_rate / (cm / s), length / um, cold)})
+        .panel(reports::Format::svg, {.width = 820, .height = 560});
     return outcome;
 }
 

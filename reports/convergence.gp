@@ -4,6 +4,8 @@
 @panel
 @loglog
 set title heading noenhanced
+set tmargin 3
+set key outside right top vertical  # names are long
 set xlabel h_label noenhanced
 set ylabel error_label noenhanced
 set autoscale xfix

@@ -83,6 +83,7 @@ Figure& Figure::table(const std::string& name, const std::vector<Column>& column
     const auto path = file("_" + checked(name) + ".csv");
     write_atomically(path, csv(columns));
     variables_["data_" + name] = quoted(path.string());
+    data_.push_back(path);
     return *this;
 }
 
@@ -90,6 +91,7 @@ Figure& Figure::map(const std::string& name, const QuadMap& quads) {
     const auto path = file("_" + checked(name) + ".csv");
     write_atomically(path, csv(quads));
     variables_["data_" + name] = quoted(path.string());
+    data_.push_back(path);
     variables_["colours_" + name] = quoted(quads.at_cells() ? "set pm3d map corners2color c1"
                                                             : "set pm3d map corners2color mean");
     return *this;
@@ -118,7 +120,20 @@ Figure& Figure::caption(const Caption& caption) {
 }
 
 Figure& Figure::panel(const std::string& name, Format format, PanelSize size) {
-    panels_.push_back({checked(name), format, size});
+    return add({checked(name), format, size});
+}
+
+Figure& Figure::panel(Format format, PanelSize size) {
+    return add({"", format, size});
+}
+
+Figure& Figure::add(const Panel& panel) {
+    for (const Panel& other : panels_)
+        if (other.name == panel.name || other.name.empty() || panel.name.empty())
+            throw std::invalid_argument(
+                fmt::format("figure: {} has panel '{}' and cannot have '{}' too", name_, other.name,
+                            panel.name));
+    panels_.push_back(panel);
     return *this;
 }
 

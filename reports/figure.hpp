@@ -70,21 +70,29 @@ public:
     Figure& set(const std::string& name, double value);
     Figure& set(const std::string& name, const std::string& text);
     Figure& caption(const Caption& caption);
-    /// Adds <figure><panel>.svg or .png. Without any panel there is one without a letter, @panel in
-    /// the script.
+    /// Adds <figure><panel>.svg or .png, @panel_<panel> in the script.
+    /// \throws std::invalid_argument if there is one of that name, or one without a name.
     Figure& panel(const std::string& name, Format format = Format::svg, PanelSize size = {});
+    /// The only panel, <figure>.svg or .png and @panel in the script. Without any panel() it is
+    /// there, as an SVG of the usual size.
+    /// \throws std::invalid_argument if there is another.
+    Figure& panel(Format format, PanelSize size = {});
 
     /// Runs gnuplot. All panels appear under their names together, or none does.
     /// \throws FigureFailed if gnuplot is missing or fails, finds a table without points, or draws
     /// no picture.
     std::vector<std::filesystem::path> draw() const;
 
+    /// The numbers written so far, as files.
+    const std::vector<std::filesystem::path>& data() const { return data_; }
+
 private:
     struct Panel {
-        std::string name;
+        std::string name;  ///< empty if it is the only one
         Format format;
         PanelSize size;
     };
+    Figure& add(const Panel& panel);
     std::string prelude(const std::vector<Panel>& panels,
                         const std::vector<std::filesystem::path>& outputs) const;
     std::filesystem::path file(const std::string& suffix) const;
@@ -94,6 +102,7 @@ private:
     std::filesystem::path script_;
     std::map<std::string, std::string> variables_;  // gnuplot name -> gnuplot expression
     std::vector<Panel> panels_;
+    std::vector<std::filesystem::path> data_;
 };
 
 /// Where the scripts live: `relative` below the source tree. Absolute paths are returned as they

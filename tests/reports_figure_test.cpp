@@ -76,7 +76,10 @@ TEST_F(Figures, DrawPanelsOfBothFormats) {
                   {{"T", "K", {1, 2}}}};
     const auto s = script(
         "@panel_a\nplot data_solver using 1:2\n"
-        "@panel_b\n@map_axes\n@colours_T\nsplot data_T using 1:2:3 with pm3d\n");
+        "@panel_b\neval map_place(0.2, 0.8, 0.2, 0.9)\nset xrange [0:2]\nset yrange [0:1.1]\n"
+        "set multiplot\n@map_only\neval diverging(-0.1, 2)\n@colours_T\n"
+        "splot data_T using 1:2:3 with pm3d\n@map_frame\neval heading('b', 'T')\n"
+        "plot data_T using 1:2 with lines\nunset multiplot\n");
     const auto drawn = Figure("fig03", out_, s)
                            .table("solver", line_)
                            .map("T", quads)
@@ -87,6 +90,29 @@ TEST_F(Figures, DrawPanelsOfBothFormats) {
     EXPECT_EQ(drawn[0].filename(), "fig03a.svg");
     EXPECT_EQ(drawn[1].filename(), "fig03b.png");
     EXPECT_EQ(contents(drawn[1]).substr(1, 3), "PNG");
+}
+
+TEST_F(Figures, WithOnePanelHaveNoLetter) {
+    const auto s = script("@panel\nplot data_solver using 1:2\n");
+    const auto drawn = Figure("table1", out_, s)
+                           .table("solver", line_)
+                           .panel(Format::svg, {.width = 820, .height = 560})
+                           .draw();
+    ASSERT_EQ(drawn.size(), 1U);
+    EXPECT_EQ(drawn[0].filename(), "table1.svg");
+    EXPECT_NE(contents(drawn[0]).find("viewBox=\"0 0 820 560\""), std::string::npos);
+}
+
+TEST_F(Figures, RefusePanelsThatWouldShareAName) {
+    Figure one("fig", out_, "x.gp");
+    one.panel(Format::png);
+    EXPECT_THROW(one.panel("a"), std::invalid_argument);
+    EXPECT_THROW(one.panel(Format::png), std::invalid_argument);
+    Figure two("fig", out_, "x.gp");
+    two.panel("a");
+    EXPECT_THROW(two.panel("a", Format::png), std::invalid_argument);
+    EXPECT_THROW(two.panel(Format::svg), std::invalid_argument);
+    EXPECT_NO_THROW(two.panel("b"));
 }
 
 TEST_F(Figures, ThatFailSayWhyAndLeaveTheOldOneAlone) {
