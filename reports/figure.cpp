@@ -1,8 +1,10 @@
 #include "reports/figure.hpp"
 
 #include <fmt/format.h>
+#include <stdlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <system_error>
 
@@ -39,18 +41,40 @@ std::string quoted(const std::string& text) {
 }
 
 std::string extension(Format format) {
-    return format == Format::svg ? ".svg" : ".png";
+    return format == Format::svg ? ".svg" : format == Format::png ? ".png" : ".gif";
+}
+
+/// gnuplot's name of what draws it; a movie has ten frames a second.
+std::string terminal(Format format) {
+    switch (format) {
+        case Format::svg:
+            return "svg enhanced background 'white'";
+        case Format::png:
+            return fmt::format("pngcairo enhanced fontscale {}", png_pixels_per_point);
+        default:
+            return "gif enhanced animate delay 10 loop 0 optimize";
+    }
 }
 
 /// gnuplot commands that open a panel whose file stands in the variable `output`.
 std::string opening(Format format, PanelSize size, const std::string& output) {
-    const double scale = format == Format::svg ? 1.0 : png_pixels_per_point;
-    const auto terminal = format == Format::svg
-                              ? std::string("svg enhanced background 'white'")
-                              : fmt::format("pngcairo enhanced fontscale {}", png_pixels_per_point);
+    const double scale = format == Format::png ? png_pixels_per_point : 1.0;
     return fmt::format(
-        "set terminal {} size {},{} font 'DejaVu Sans,11' linewidth {}; set output {}", terminal,
-        static_cast<int>(scale * size.width), static_cast<int>(scale * size.height), scale, output);
+        "set terminal {} size {},{} font 'DejaVu Sans,11' linewidth {}; set output {}",
+        terminal(format), static_cast<int>(scale * size.width),
+        static_cast<int>(scale * size.height), scale, output);
+}
+
+/// A directory that nobody else has, removed with everything in it when nobody has it any more.
+std::shared_ptr<const fs::path> scratch_directory() {
+    std::string name = (fs::temp_directory_path() / "crawford-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+        throw std::system_error(errno, std::generic_category(), name);
+    return {new fs::path(name), [](const fs::path* directory) {
+                std::error_code ignored;
+                fs::remove_all(*directory, ignored);
+                delete directory;
+            }};
 }
 
 /// gnuplot goes on after these, but a curve that is not there must not pass for a figure.
@@ -79,8 +103,18 @@ fs::path Figure::file(const std::string& suffix) const {
     return directory_ / (name_ + suffix);
 }
 
+fs::path Figure::numbers(const std::string& table) const {
+    const auto name = name_ + "_" + checked(table) + ".csv";
+    return (scratch_ ? *scratch_ : directory_) / name;
+}
+
+Figure& Figure::forget_numbers() {
+    scratch_ = scratch_directory();
+    return *this;
+}
+
 Figure& Figure::table(const std::string& name, const std::vector<Column>& columns) {
-    const auto path = file("_" + checked(name) + ".csv");
+    const auto path = numbers(name);
     write_atomically(path, csv(columns));
     variables_["data_" + name] = quoted(path.string());
     data_.push_back(path);
@@ -88,7 +122,7 @@ Figure& Figure::table(const std::string& name, const std::vector<Column>& column
 }
 
 Figure& Figure::map(const std::string& name, const QuadMap& quads) {
-    const auto path = file("_" + checked(name) + ".csv");
+    const auto path = numbers(name);
     write_atomically(path, csv(quads));
     variables_["data_" + name] = quoted(path.string());
     data_.push_back(path);

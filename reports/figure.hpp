@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ public:
 enum class Format {
     svg,  ///< For lines
     png,  ///< For maps
+    gif,  ///< A movie, played again and again: every plot or multiplot of the panel is a frame
 };
 
 /// Size of a panel, in points of the style's type (11 to the text).
@@ -66,6 +68,9 @@ public:
     /// A field on sloped quads, likewise; for `splot data_<name> using 1:2:3` after
     /// @colours_<name>.
     Figure& map(const std::string& name, const QuadMap& quads);
+    /// Writes what table() and map() are given from now on where it is gone with the figure: the
+    /// frames of a movie.
+    Figure& forget_numbers();
     /// A variable of the script.
     Figure& set(const std::string& name, double value);
     Figure& set(const std::string& name, const std::string& text);
@@ -96,11 +101,13 @@ private:
     std::string prelude(const std::vector<Panel>& panels,
                         const std::vector<std::filesystem::path>& outputs) const;
     std::filesystem::path file(const std::string& suffix) const;
+    std::filesystem::path numbers(const std::string& table) const;
 
     std::string name_;
     std::filesystem::path directory_;
     std::filesystem::path script_;
-    std::map<std::string, std::string> variables_;  // gnuplot name -> gnuplot expression
+    std::shared_ptr<const std::filesystem::path> scratch_;  // removed with the last who has it
+    std::map<std::string, std::string> variables_;          // gnuplot name -> gnuplot expression
     std::vector<Panel> panels_;
     std::vector<std::filesystem::path> data_;
 };

@@ -103,6 +103,26 @@ TEST_F(Figures, WithOnePanelHaveNoLetter) {
     EXPECT_NE(contents(drawn[0]).find("viewBox=\"0 0 820 560\""), std::string::npos);
 }
 
+TEST_F(Figures, CanBeMoviesThatKeepNoNumbers) {
+    const auto s = script("@panel\ndo for [k = 1:3] { plot data_solver using 1:(k * $2) }\n");
+    {
+        const auto drawn = Figure("fig13", out_, s)
+                               .forget_numbers()
+                               .table("solver", line_)
+                               .panel(Format::gif, {.width = 200, .height = 100})
+                               .draw();
+        ASSERT_EQ(drawn.size(), 1U);
+        EXPECT_EQ(drawn[0].filename(), "fig13.gif");
+        const auto gif = contents(drawn[0]);
+        EXPECT_EQ(gif.substr(0, 6), "GIF89a");
+        const std::string frame = {'\x21', '\xf9', '\x04'};
+        int frames = 0;
+        for (auto at = gif.find(frame); at != gif.npos; at = gif.find(frame, at + 1)) ++frames;
+        EXPECT_EQ(frames, 3);
+    }
+    EXPECT_EQ(files(), 1U) << "the movie and no numbers";
+}
+
 TEST_F(Figures, RefusePanelsThatWouldShareAName) {
     Figure one("fig", out_, "x.gp");
     one.panel(Format::png);
