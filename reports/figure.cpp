@@ -117,7 +117,7 @@ Figure& Figure::table(const std::string& name, const std::vector<Column>& column
     const auto path = numbers(name);
     write_atomically(path, csv(columns));
     variables_["data_" + name] = quoted(path.string());
-    data_.push_back(path);
+    if (!scratch_) data_.push_back(path);
     return *this;
 }
 
@@ -125,7 +125,7 @@ Figure& Figure::map(const std::string& name, const QuadMap& quads) {
     const auto path = numbers(name);
     write_atomically(path, csv(quads));
     variables_["data_" + name] = quoted(path.string());
-    data_.push_back(path);
+    if (!scratch_) data_.push_back(path);
     variables_["colours_" + name] = quoted(quads.at_cells() ? "set pm3d map corners2color c1"
                                                             : "set pm3d map corners2color mean");
     return *this;

@@ -88,7 +88,7 @@ public:
     /// no picture.
     std::vector<std::filesystem::path> draw() const;
 
-    /// The numbers written so far, as files.
+    /// The numbers written so far and kept, as files.
     const std::vector<std::filesystem::path>& data() const { return data_; }
 
 private:

@@ -106,11 +106,11 @@ TEST_F(Figures, WithOnePanelHaveNoLetter) {
 TEST_F(Figures, CanBeMoviesThatKeepNoNumbers) {
     const auto s = script("@panel\ndo for [k = 1:3] { plot data_solver using 1:(k * $2) }\n");
     {
-        const auto drawn = Figure("fig13", out_, s)
-                               .forget_numbers()
-                               .table("solver", line_)
-                               .panel(Format::gif, {.width = 200, .height = 100})
-                               .draw();
+        Figure movie("fig13", out_, s);
+        movie.forget_numbers().table("solver", line_);
+        movie.panel(Format::gif, {.width = 200, .height = 100});
+        EXPECT_TRUE(movie.data().empty());
+        const auto drawn = movie.draw();
         ASSERT_EQ(drawn.size(), 1U);
         EXPECT_EQ(drawn[0].filename(), "fig13.gif");
         const auto gif = contents(drawn[0]);
