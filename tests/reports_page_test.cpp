@@ -28,6 +28,10 @@ TEST(Words, AreShort) {
     EXPECT_EQ(page::number(1.2345e-5), "1.23e-5");
     EXPECT_EQ(page::number(0.95), "0.95");
     EXPECT_EQ(page::number(std::nan("")), "\u2013");
+    EXPECT_EQ(page::percent_off(0.0419, 0.042), "-0.24 %");
+    EXPECT_EQ(page::percent_off(3.42, 1.0), "+242 %");
+    EXPECT_EQ(page::with_unit("3", "K") + page::with_unit("4", "-"), "3 K4");
+    EXPECT_EQ(page::labelled("T", "K") + page::labelled("n", ""), "T [K]n");
     EXPECT_EQ(page::duration(3.21), "3.2 s");
     EXPECT_EQ(page::duration(119.7), "2 min 0 s");
 }

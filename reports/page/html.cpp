@@ -79,7 +79,22 @@ std::string anchor(std::string_view prefix, std::string_view name) {
 }
 
 Html link(const std::string& anchor, const Html& text) {
-    return element("a", {{"href", "#" + anchor}}, text);
+    return link_to("#" + anchor, text);
+}
+
+Html link_to(const std::string& address, const Html& text) {
+    return address.empty() ? text : element("a", {{"href", address}}, text);
+}
+
+Html navigation(const std::vector<std::pair<std::string, Html>>& links) {
+    Html line;
+    for (const auto& [address, text] : links)
+        line += (line.empty() ? "" : " \u00b7 ") + link_to(address, text);
+    return element("nav", {}, line) + "\n";
+}
+
+Html styled(std::string_view tag, const std::string& style, const Html& content) {
+    return element(tag, {{"class", style}}, content);
 }
 
 }  // namespace crawford::reports::page

@@ -50,4 +50,13 @@ std::string anchor(std::string_view prefix, std::string_view name);
 /// A link within the page.
 Html link(const std::string& anchor, const Html& text);
 
+/// A link to another page; plain text if the address is empty.
+Html link_to(const std::string& address, const Html& text);
+
+/// Links to other pages, address and text, in one line.
+Html navigation(const std::vector<std::pair<std::string, Html>>& links);
+
+/// An element of a class of style.
+Html styled(std::string_view tag, const std::string& style, const Html& content);
+
 }  // namespace crawford::reports::page

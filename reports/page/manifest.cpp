@@ -1,6 +1,12 @@
 #include "reports/page/manifest.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <nlohmann/json.hpp>
+#include <vector>
+
+#include "reports/page/words.hpp"
 
 namespace crawford::reports::page {
 namespace {
@@ -19,7 +25,27 @@ std::string spoken(const Json& value) {
     return text;
 }
 
+/// A member as text; empty if it is not there.
+std::string member(const Json& object, const char* key) {
+    const auto at = object.find(key);
+    return at == object.end() ? std::string() : spoken(*at);
+}
+
 }  // namespace
+
+Html circumstances(const Json& members) {
+    std::vector<std::string> facts{"revision " + member(members, "revision")};
+    if (members.contains("fidelity")) facts.push_back("fidelity " + member(members, "fidelity"));
+    if (members.contains("wall_seconds"))
+        facts.push_back(duration(members.at("wall_seconds").get<double>()));
+    if (members.contains("machine")) {
+        const auto& machine = members.at("machine");
+        facts.push_back(
+            fmt::format("{} cores, {}", member(machine, "cores"), member(machine, "processor")));
+    }
+    if (members.contains("ended")) facts.push_back(member(members, "ended"));
+    return styled("p", "facts", fmt::format("{}", fmt::join(facts, " \u00b7 ")));
+}
 
 Html manifest(const Json& members) {
     Html rows;

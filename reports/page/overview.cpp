@@ -1,12 +1,12 @@
 #include "reports/page/overview.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "reports/judgement.hpp"
 #include "reports/page/gate_card.hpp"
+#include "reports/page/manifest.hpp"
 #include "reports/page/words.hpp"
 
 namespace crawford::reports::page {
@@ -20,26 +20,6 @@ std::string verdict(const Verification& v) {
 std::string style(const Verification& v) {
     if (v.fell_short()) return "fail";
     return v.passed() ? "pass" : "open";
-}
-
-/// A member of the manifest as text; empty if it is not there.
-std::string member(const nlohmann::ordered_json& object, const char* key) {
-    const auto at = object.find(key);
-    if (at == object.end()) return {};
-    return at->is_string() ? at->get<std::string>() : at->dump();
-}
-
-Html circumstances(const Verification& v) {
-    const auto& m = v.manifest;
-    std::vector<std::string> facts{"revision " + member(m, "revision")};
-    if (m.contains("wall_seconds")) facts.push_back(duration(m.at("wall_seconds").get<double>()));
-    if (m.contains("machine")) {
-        const auto& machine = m.at("machine");
-        facts.push_back(
-            fmt::format("{} cores, {}", member(machine, "cores"), member(machine, "processor")));
-    }
-    if (m.contains("ended")) facts.push_back(member(m, "ended"));
-    return element("p", {{"class", "facts"}}, fmt::format("{}", fmt::join(facts, " \u00b7 ")));
 }
 
 Html shortcomings(const Verification& v) {
@@ -137,7 +117,7 @@ Html headline(const Verification& v) {
                        element("p", {{"class", "count-of-all"}},
                                text(count(v.gates)) +
                                    fmt::format(", {} studies", entries_of(v).size())) +
-                       circumstances(v) + shortcomings(v)) +
+                       circumstances(v.manifest) + shortcomings(v)) +
            "\n";
 }
 

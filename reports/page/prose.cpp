@@ -51,9 +51,9 @@ Html list(const std::vector<std::string>& lines) {
     return element("ul", {}, html);
 }
 
-Html block(const std::vector<std::string>& lines) {
+Html block(const std::vector<std::string>& lines, std::string_view heading) {
     if (lines.front().starts_with("# "))
-        return element("h2", {}, with_code(joined(lines, " ").substr(2)));
+        return element(heading, {}, with_code(joined(lines, " ").substr(2)));
     if (lines.front().starts_with("- ")) return list(lines);
     if (lines.front().starts_with("    ")) return element("pre", {}, joined(lines, "\n"));
     return element("p", {}, with_code(joined(lines, " ")));
@@ -71,9 +71,9 @@ std::string opening_comment(std::string_view source) {
     return text;
 }
 
-Html prose(std::string_view markdown) {
+Html prose(std::string_view markdown, std::string_view heading) {
     Html html;
-    for (const auto& lines : blocks_of(markdown)) html += block(lines) + "\n";
+    for (const auto& lines : blocks_of(markdown)) html += block(lines, heading) + "\n";
     return html;
 }
 

@@ -6,8 +6,8 @@
 
 namespace crawford::reports::page {
 
-/// The whole report as one page that needs no other file: no script, no picture, no font from
-/// outside. Light or dark as the reader's screen is, and readable on paper.
-std::string report(const Verification& verification);
+/// The whole report as one page that needs no other file (document.hpp). `figures` is the address
+/// of the index of figures, if there is one.
+std::string report(const Verification& verification, const std::string& figures = {});
 
 }  // namespace crawford::reports::page

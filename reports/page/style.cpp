@@ -79,6 +79,37 @@ svg circle.measured { fill: var(--accent); stroke: var(--accent); stroke-width: 
 svg circle.hollow { fill: var(--panel); }
 svg circle.outside { fill: var(--fail); stroke: var(--fail); }
 svg .allowed { fill: var(--pass); opacity: .25; }
+nav { font-size: .9rem; margin-bottom: 1rem; }
+figure { margin: 0; }
+figcaption { font-size: .8rem; }
+img, video { max-width: 100%; height: auto; background: #ffffff; }
+.pictures { margin: 1rem 0; }
+.several { display: grid; gap: 1rem;
+  grid-template-columns: repeat(auto-fit, minmax(min(30rem, 100%), 1fr)); }
+.gallery td { vertical-align: middle; }
+.thumbnail { width: 9rem; max-height: 7rem; object-fit: contain; display: block; }
+.columns { columns: 24rem; column-gap: 2rem; }
+.columns section { break-inside: avoid; }
+.columns h3 { margin-top: .6rem; }
+.columns ul { margin: .2rem 0 .8rem; padding-left: 1.1rem; }
+summary { cursor: pointer; }
+.grounds tr, .ledger tr { border-bottom: 1px solid var(--line); }
+.grounds .count, .grounds td + td { font-variant-numeric: tabular-nums; }
+.grounds .count { text-align: right; }
+.grounds .aside { color: var(--soft); }
+.grounds td:first-child { min-width: 11rem; }
+.grounds td + td .facts, .ledger td:nth-child(2) { white-space: nowrap; }
+.chosen { background: var(--panel); }
+.ledger { width: 100%; }
+.ledger td:last-child { min-width: 14rem; }
+.ledger tr:target { background: var(--panel); outline: 2px solid var(--accent); }
+@media screen and (max-width: 52rem) {
+  .ledger thead { display: none; }
+  .ledger tr { display: block; padding: .5rem 0; }
+  .ledger td { display: grid; grid-template-columns: 4.5rem 1fr; padding: .1rem 0; }
+  .ledger td::before { content: attr(data-label); color: var(--soft); font-size: .85rem; }
+  .thumbnail { width: 5rem; }
+}
 @media print {
   :root {
     --paper: #ffffff; --panel: #ffffff; --line: #c4cad0; --ink: #000000; --soft: #444c55;
@@ -89,9 +120,11 @@ svg .allowed { fill: var(--pass); opacity: .25; }
   body { font-size: 1rem; }
   main { max-width: none; padding: 0 1px; }
   .gates { grid-template-columns: 1fr 1fr; gap: .4rem; }
-  .gate, #coverage, .studies tr { break-inside: avoid; }
+  .gate, #coverage, .studies tr, .ledger tr, .grounds tr, figure { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
   a { color: inherit; }
+  nav { display: none; }
+  figure img { max-height: 200mm; }
   svg { width: 165px; }
   .evidence { flex-wrap: nowrap; gap: .2rem; }
   .numbers th, .numbers td { padding: 0 .3rem; }

@@ -14,6 +14,20 @@ std::string number(double value, int digits) {
     return fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
 }
 
+std::string with_unit(const std::string& number, const std::string& unit) {
+    return unit.empty() || unit == "-" ? number : number + ' ' + unit;
+}
+
+std::string labelled(const std::string& quantity, const std::string& unit) {
+    return with_unit(quantity, unit.empty() || unit == "-" ? "" : '[' + unit + ']');
+}
+
+std::string percent_off(double value, double truth) {
+    const double percent = 100.0 * (value / truth - 1.0);
+    return std::abs(percent) < 10.0 ? fmt::format("{:+.2g} %", percent)
+                                    : fmt::format("{:+.0f} %", percent);
+}
+
 std::string duration(double seconds) {
     if (seconds < 1.0) return fmt::format("{:.2f} s", seconds);
     if (seconds < 100.0) return fmt::format("{:.1f} s", seconds);

@@ -10,6 +10,15 @@ namespace crawford::reports::page {
 /// "1.23e-5", "0.95", "128"; "-" for what is no number.
 std::string number(double value, int digits = 3);
 
+/// "0.42 cm/s"; the number alone if there is no unit ("" or "-").
+std::string with_unit(const std::string& number, const std::string& unit);
+
+/// "mean burn rate [cm/s]", likewise.
+std::string labelled(const std::string& quantity, const std::string& unit);
+
+/// By how much a value is off, of the true one: "-0.95 %", "+240 %".
+std::string percent_off(double value, double truth);
+
 /// "3.2 s", "1 min 40 s"
 std::string duration(double seconds);
 
