@@ -9,17 +9,18 @@ set tmargin at screen 0.90
 set key outside right top vertical Left reverse samplen 2 spacing 1.3
 set key title "order to the finest grid\n(paper's way) | to the next" left
 symbols = 'σ_{11} σ_{22} σ_{33} τ u v'
-order(element, k) = sprintf('%s   %.2f | %.2f', word(symbols, k), value(sprintf('papers_%s_%d', element, k)), \
-                            value(sprintf('unbiased_%s_%d', element, k)))
+order(element, k) = word(symbols, k) . gprintf('   %.2f', value(sprintf('papers_%s_%d', element, k))) . \
+                    gprintf(' | %.2f', value(sprintf('unbiased_%s_%d', element, k)))
 array filled[4] = [7, 5, 9, 13]
 array open[4] = [6, 4, 8, 12]
 
-# A tic for each grid. Slopes hang from above the largest error of the coarsest grid.
+# A tic for each grid. Slopes stand above the largest error, between the two coarsest grids.
 stats data_q1 using 1 name 'H' nooutput
 set xrange [H_min / 1.2:H_max * 1.2]
+set samples 1000
 set xtics ()
 do for [k = 0:H_records - 1] { eval sprintf("set xtics add ('%.4g' %g)", H_max / 2**k, H_max / 2**k) }
-slope(x, m) = top * (x / H_max)**m
+slope(x, m) = x < H_max / 2 || x > H_max ? NaN : top * (x / H_max)**m
 
 do for [panel in 'a b c d'] {
     element = (panel eq 'a' || panel eq 'b') ? 'q1' : 'bbar'

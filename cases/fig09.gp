@@ -9,17 +9,18 @@ set tmargin at screen 0.90
 set key outside right top vertical Left reverse samplen 2 spacing 1.3
 set key title "order to the finest grid\n(paper's way) | to the next" left
 symbols = 'σ_{11} σ_{22} σ_{33} τ u v ξ_1 ξ_2'
-order(k) = sprintf('%s   %.2f | %.2f', word(symbols, k), value(sprintf('papers_sandwich_%d', k)), \
-                   value(sprintf('unbiased_sandwich_%d', k)))
+order(k) = word(symbols, k) . gprintf('   %.2f', value(sprintf('papers_sandwich_%d', k))) . \
+           gprintf(' | %.2f', value(sprintf('unbiased_sandwich_%d', k)))
 array filled[4] = [7, 5, 9, 13]
 array open[4] = [6, 4, 8, 12]
 
-# A tic for each grid. The slope hangs from above the largest error of the coarsest grid.
+# A tic for each grid. The slope stands above the largest error, between the two coarsest grids.
 stats data_sandwich using 1 name 'H' nooutput
 set xrange [H_min / 1.2:H_max * 1.2]
+set samples 1000
 set xtics ()
 do for [k = 0:H_records - 1] { eval sprintf("set xtics add ('%.4g' %g)", H_max / 2**k, H_max / 2**k) }
-first(x) = top * x / H_max
+first(x) = x < H_max / 2 || x > H_max ? NaN : top * x / H_max
 
 do for [panel in 'a b c'] {
     from = panel eq 'a' ? 1 : panel eq 'b' ? 5 : 7
