@@ -8,4 +8,22 @@ execute_process(
 if(failed)
   set(revision "unknown")
 endif()
+
+# crawford_fingerprint(VARIABLE FOLDERS...): one hash over names and contents of all that is in the folders.
+function(crawford_fingerprint variable)
+  list(TRANSFORM ARGN APPEND "/*")
+  file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE ${source_dir} ${ARGN})
+  set(all "${compiler} ${flags}")
+  foreach(file IN LISTS files)
+    file(SHA256 ${source_dir}/${file} hash)
+    string(APPEND all "${file} ${hash}\n")
+  endforeach()
+  string(SHA256 hash "${all}")
+  string(SUBSTRING ${hash} 0 16 hash)
+  set(${variable} ${hash} PARENT_SCOPE)
+endfunction()
+
+crawford_fingerprint(solver_fingerprint ${source_dir}/solver)
+crawford_fingerprint(source_fingerprint
+  ${source_dir}/solver ${source_dir}/reference ${source_dir}/reports ${source_dir}/cases)
 configure_file(${template} ${generated} @ONLY)

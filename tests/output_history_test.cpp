@@ -10,7 +10,8 @@ namespace {
 class OutputHistory : public OutputTest {
 protected:
     static HistoryRow row(int k) {
-        return {k * 2e-5, 0.0045 / 3.0 * k, 900.0 / 7.0 * k, 0.1 * k, 1e-16 * k, k};
+        return {k * 2e-5, 0.0045 / 3.0 * k, 900.0 / 7.0 * k, 0.1 * k, 1e-16 * k,
+                k,        0.07 * k,         1e8 / 3.0 * k,   5e7 * k};
     }
     static void append(History& history, int first, int last) {
         for (int k = first; k <= last; ++k) history.append(row(k));
@@ -20,11 +21,13 @@ protected:
 
 TEST_F(OutputHistory, HasAHeaderWithUnitsAndEveryDigit) {
     History history = History::start(file());
-    history.append({0.1 + 0.2, 1.0 / 3.0, 943.0901588633039, 0.5, 1e-300, 7});
+    history.append({0.1 + 0.2, 1.0 / 3.0, 943.0901588633039, 0.5, 1e-300, 7, 0.25, 1.5e8, 1e8});
     EXPECT_EQ(content(file()),
               "time [s],mean burn rate [m/s],max T [K],max strain [-],residual [-],"
-              "solver iterations\n"
-              "0.30000000000000004,0.3333333333333333,943.0901588633039,0.5,1e-300,7\n");
+              "solver iterations,strain within 5 um of max [-],max p [Pa],"
+              "p within 5 um of max [Pa]\n"
+              "0.30000000000000004,0.3333333333333333,943.0901588633039,0.5,1e-300,7,0.25,"
+              "150000000,100000000\n");
 }
 
 TEST_F(OutputHistory, ReadsAsUnbrokenAfterARestart) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
+#include <mutex>
 
 #include "solver/errors.hpp"
 #include "solver/linear_solvers/one_thread.hpp"
@@ -15,7 +16,7 @@ class Direct : public SpdSolver {
 public:
     int solve(const SparseMatrix& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
         use_one_thread();
-        if (!analysed_) factorisation_.analyzePattern(lower);
+        if (!analysed_) analyse(lower);
         analysed_ = true;
         factorisation_.factorize(lower);
         if (factorisation_.info() != Eigen::Success)
@@ -28,6 +29,15 @@ protected:
     Factorisation factorisation_;
 
 private:
+    /// METIS seeds the C library's one generator at each call and draws from it: two analyses at
+    /// once would draw from each other's, order the unknowns in another way each time, and a run
+    /// would not have the same bits again.
+    void analyse(const SparseMatrix& lower) {
+        static std::mutex one_at_a_time;
+        const std::scoped_lock lock(one_at_a_time);
+        factorisation_.analyzePattern(lower);
+    }
+
     bool analysed_ = false;
 };
 

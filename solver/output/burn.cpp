@@ -83,6 +83,7 @@ private:
             steadiness_.record(state, summary);
             recorder.record(simulation_, summary, before, steadiness_.window());
             progress.show({state.step, state.time, summary.mean_burn_rate});
+            if (options_.progress) options_.progress(double(state.step) / double(last_step_));
         }
     }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,10 @@ struct BurnOptions {
     std::optional<std::filesystem::path> restart = {};  ///< a checkpoint to go on from
     std::vector<std::string> command = {};              ///< the command line, for the manifest
     std::vector<std::uint64_t> seeds = {};              ///< of what was random in the scene
-    bool quiet = false;                                 ///< no progress
-    bool timing = false;                                ///< print the table of rooms on stdout
+    bool quiet = false;                                 ///< no progress on stderr
+    /// Told after each step how much is done, 0 to 1.
+    std::function<void(double)> progress = {};
+    bool timing = false;  ///< print the table of rooms on stdout
 };
 
 struct BurnOutcome {

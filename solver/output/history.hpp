@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace crawford {
 
@@ -14,6 +15,9 @@ struct HistoryRow {
     double largest_strain;
     double residual;
     int solver_iterations;
+    double strain_about_peak;    ///< mean over peak_radius about the largest; see Peak
+    double largest_pressure;     ///< [Pa]
+    double pressure_about_peak;  ///< likewise [Pa]
 };
 
 /// Rows are appended and flushed one by one: a run that is killed leaves the rows it had reached.
@@ -39,5 +43,9 @@ private:
     std::filesystem::path path_;
     std::ofstream file_;
 };
+
+/// All whole rows of a history.
+/// \throws InputError if the file is missing or no history.
+std::vector<HistoryRow> read_history(const std::filesystem::path& path);
 
 }  // namespace crawford

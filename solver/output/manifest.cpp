@@ -25,6 +25,7 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
         {"program", "crawford"},
         {"version", version()},
         {"revision", revision()},
+        {"solver_fingerprint", solver_fingerprint()},
         {"compiler", compiler()},
         {"flags", flags()},
         {"libraries", libraries()},

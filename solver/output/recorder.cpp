@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/output/checkpoint.hpp"
+#include "solver/output/peak.hpp"
 
 namespace crawford {
 
@@ -13,6 +14,29 @@ namespace {
 
 History open_history(const std::filesystem::path& path, const State& state) {
     return state.step == 0 ? History::start(path) : History::resume(path, state.time);
+}
+
+HistoryRow row(const Simulation& simulation, const Summary& summary) {
+    const State& state = simulation.state();
+    HistoryRow row{.time = state.time,
+                   .mean_burn_rate = summary.mean_burn_rate,
+                   .largest_temperature = summary.largest_temperature,
+                   .largest_strain = summary.largest_strain,
+                   .residual = summary.residual,
+                   .solver_iterations = summary.solver_iterations,
+                   .strain_about_peak = 0.0,
+                   .largest_pressure = 0.0,
+                   .pressure_about_peak = 0.0};
+    if (state.stress.pressure.empty()) return row;
+    const NodeVectors position = positions(simulation.grid(), state.surface);
+    const CellField material = simulation.material_fraction();
+    const Peak pressure = peak(position, material, state.stress.pressure, peak_radius);
+    row.largest_pressure = pressure.value;
+    row.pressure_about_peak = pressure.mean;
+    if (!state.reference_shift.empty())
+        row.strain_about_peak =
+            peak(position, material, simulation.strain_norm(), peak_radius).mean;
+    return row;
 }
 
 }  // namespace
@@ -39,9 +63,7 @@ Recorder::Recorder(std::filesystem::path directory, std::string name, Provenance
 void Recorder::record(Simulation& simulation, const Summary& summary, double before,
                       const std::vector<Sample>& window) {
     const State& state = simulation.state();
-    if (state.step % output_.history_every == 0)
-        history_.append({state.time, summary.mean_burn_rate, summary.largest_temperature,
-                         summary.largest_strain, summary.residual, summary.solver_iterations});
+    if (state.step % output_.history_every == 0) history_.append(row(simulation, summary));
     if (output_.snapshots_every && is_due(before, state.time, *output_.snapshots_every))
         take_snapshot(simulation);
     if (output_.checkpoint_every && is_due(before, state.time, *output_.checkpoint_every)) {

@@ -6,14 +6,6 @@ namespace crawford {
 
 namespace {
 
-NodeVectors positions(const Grid& grid, const SurfaceField& surface) {
-    NodeVectors position(grid.cell_columns() + 1, grid.rows() + 1);
-    for (int i = 0; i < position.columns(); ++i)
-        for (int j = 0; j < position.rows(); ++j)
-            position(i, j) = {grid.x(i), grid.eta(j) + surface[size_t(i) % surface.size()]};
-    return position;
-}
-
 NodeVectors mapped(const NodeVectors& position, NodeVectors shift) {
     for (size_t node = 0; node < shift.values().size(); ++node)
         shift.values()[node] += position.values()[node];
@@ -28,6 +20,14 @@ Lattice<PlaneStress> mean_stress(const StressField& stress) {
 }
 
 }  // namespace
+
+NodeVectors positions(const Grid& grid, const SurfaceField& surface) {
+    NodeVectors position(grid.cell_columns() + 1, grid.rows() + 1);
+    for (int i = 0; i < position.columns(); ++i)
+        for (int j = 0; j < position.rows(); ++j)
+            position(i, j) = {grid.x(i), grid.eta(j) + surface[size_t(i) % surface.size()]};
+    return position;
+}
 
 Snapshot collect_snapshot(const Grid& grid, const State& state) {
     Snapshot snapshot;

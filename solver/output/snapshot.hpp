@@ -39,6 +39,9 @@ Lattice<Value> with_right_side(const Grid& grid, const Lattice<Value>& field) {
     return whole;
 }
 
+/// Where the nodes of a grid below `surface` are, with the column on the right side.
+NodeVectors positions(const Grid& grid, const SurfaceField& surface);
+
 /// The part of a snapshot that grid and state know by themselves; materials and strains stay empty.
 Snapshot collect_snapshot(const Grid& grid, const State& state);
 
