@@ -94,7 +94,7 @@ Outcome fig01(const Request& request) {
     figure.map("uniform", lines(grid, surface, false))
         .map("mapped", lines(grid, surface, true))
         .caption(
-            {.grid = fmt::format("{} x {}, clustering {}", domain.nx, domain.ny, domain.clustering),
+            {.grid = fmt::format("{} × {}, clustering {}", domain.nx, domain.ny, domain.clustering),
              .revision = revision()})
         .set("width", domain.width / um)
         .set("depth", domain.depth / um)

@@ -89,7 +89,7 @@ Outcome fig03(const Request& request) {
         .table("cells", cells)
         .table("exact", line(exact, exact))
         .table("small_strain", line(small_strain, exact))
-        .caption({.grid = fmt::format("1 x {}, clustering 2", scene.domain.ny),
+        .caption({.grid = fmt::format("1 × {}, clustering 2", scene.domain.ny),
                   .step = "steady",
                   .revision = revision()});
     for (const char* panel : {"a", "b", "c", "d"})

@@ -75,7 +75,7 @@ Outcome fig04(const Request& request) {
     Outcome outcome{reports::Figure("fig04", request.out, "cases/fig04.gp"), {}, {}};
     add_material(outcome, "AP", 200.0 * cal / (s * cm2), request.fidelity);
     add_material(outcome, "binder", 100.0 * cal / (s * cm2), request.fidelity);
-    outcome.figure.caption({.grid = fmt::format("1 x {}, clustering 2", cells(request.fidelity)),
+    outcome.figure.caption({.grid = fmt::format("1 × {}, clustering 2", cells(request.fidelity)),
                             .step = "steady",
                             .revision = revision(),
                             .note = "points: solver, lines: exact"});

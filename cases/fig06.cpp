@@ -111,10 +111,10 @@ Outcome fig06(const Request& request) {
     refine(outcome, "bbar", Element::bbar, request);
     const std::vector<int> all = grids(request.fidelity);
     outcome.figure.caption(
-        {.grid = fmt::format("{0} x {1} to {2} x {3} against {4} x {5}, uniform", all.front(),
+        {.grid = fmt::format("{0} × {1} to {2} × {3} against {4} × {5}, uniform", all.front(),
                              2 * all.front(), all[all.size() - 2], 2 * all[all.size() - 2],
                              all.back(), 2 * all.back()),
-         .step = "one of 20 us",
+         .step = "one of 20 µs",
          .revision = revision(),
          .note = "the paper prints 1.5 (stress), 1.90 (u), 1.35 (v)"});
     for (const char* panel : {"a", "b", "c", "d"}) outcome.figure.panel(panel);

@@ -1,37 +1,42 @@
-# Figure 7: maps of the upper part of the sandwich. The dashed lines are the interfaces.
+# Figure 7: maps of the upper part of the sandwich. Dashed lines are the interfaces.
 
-@map_axes
-set xlabel 'x / µm'
-set ylabel 'y / µm'
-set xrange [-120:120]
-set yrange [top - 240:top + 5]
-set arrow 1 from -strip / 2, graph 0 to -strip / 2, graph 1 nohead front dt 3 lw 0.8 lc rgb 'white'
-set arrow 2 from strip / 2, graph 0 to strip / 2, graph 1 nohead front dt 3 lw 0.8 lc rgb 'white'
+set xrange [-width / 2:width / 2]
+set yrange [bottom:top]
+eval map_place(left_side, right_side, foot_side, head_side)
+half = strip / 2
+
+one_map = "\
+set multiplot; \
+@map_only; \
+splot field using 1:2:3 with pm3d; \
+@map_frame; \
+set arrow 1 from -half, bottom to -half, top nohead front dt 2 lw 0.8 lc rgb side; \
+set arrow 2 from half, bottom to half, top nohead front dt 2 lw 0.8 lc rgb side; \
+set xtics (-width / 2, -half, half, width / 2); set ytics 50; set xlabel 'x / µm'; set ylabel 'y / µm'; \
+eval heading(letter, name); @small_print; \
+plot data_surface using 1:2 with lines lw 1.0 lc rgb '#404040'; \
+unset multiplot"
 
 @panel_a
-set title 'a   temperature'
+letter = 'a'; name = 'temperature'; field = data_T; side = 'white'
 set cblabel 'T / K'
 @viridis
+set autoscale cbfix
 @colours_T
-splot data_T using 1:2:3 with pm3d
+@one_map
 
 @panel_b
-set title 'b   pressure'
+letter = 'b'; name = 'pressure'; field = data_p; side = '#606060'
 set cblabel 'p / MPa'
-@diverging
-set arrow 1 lc rgb 'grey40'
-set arrow 2 lc rgb 'grey40'
-most = largest_pressure
-@symmetric
+eval diverging(lowest_pressure, largest_pressure)
 @colours_p
-splot data_p using 1:2:3 with pm3d
+@one_map
 
 @panel_c
-set title 'c   strain norm'
+letter = 'c'; name = 'strain norm'; field = data_strain; side = 'white'
 set cblabel '|E|'
 @viridis
-set arrow 1 lc rgb 'white'
-set arrow 2 lc rgb 'white'
-set autoscale cb
+set autoscale cbfix
+set cbrange [0:*]
 @colours_strain
-splot data_strain using 1:2:3 with pm3d
+@one_map

@@ -73,7 +73,8 @@ const Registered here{
      .shows = "sandwich: surface temperature and profile on finer grids",
      .physics = {physics::heat, physics::burning, physics::grid, physics::sandwich},
      .cost = {.draft = 8.0, .paper = 600.0},
-     .draw = fig08}};
+     .draw = fig08,
+     .burns = refined_scenes}};
 
 }  // namespace
 

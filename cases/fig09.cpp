@@ -79,7 +79,8 @@ const Registered here{
      .shows = "burning sandwich: errors against the width of a column",
      .physics = {physics::stress, physics::reference_map, physics::grid, physics::sandwich},
      .cost = {.draft = 8.0, .paper = 600.0},
-     .draw = fig09}};
+     .draw = fig09,
+     .burns = refined_scenes}};
 
 }  // namespace
 

@@ -20,7 +20,7 @@ namespace {
 
 using namespace units;
 
-void add(Outcome& outcome, const std::string& name, const SandwichBurn& burn) {
+void add(Outcome& outcome, const std::string& name, const Burn& burn) {
     const SurfaceLine surface = surface_line(burn.last);
     const double centre = burn.last.temperature(0, burn.last.temperature.rows() - 1);
     const double rate = burn.mean_burn_rate.back();
@@ -36,8 +36,8 @@ void add(Outcome& outcome, const std::string& name, const SandwichBurn& burn) {
 
 Outcome fig10(const Request& request) {
     const Scene scene = burning_sandwich(request.fidelity, false);
-    const auto thermal = burn_sandwich(scene, request);
-    const auto coupled = burn_sandwich(burning_sandwich(request.fidelity, true), request);
+    const auto thermal = kept_burn(scene, request);
+    const auto coupled = kept_burn(burning_sandwich(request.fidelity, true), request);
     Outcome outcome{reports::Figure("fig10", request.out, "cases/fig10.gp"), {}, {}};
     add(outcome, "thermal", *thermal);
     add(outcome, "coupled", *coupled);
@@ -56,7 +56,10 @@ const Registered here{
      .shows = "sandwich: surface temperature and burn rate",
      .physics = {physics::heat, physics::burning, physics::coupling, physics::sandwich},
      .cost = {.draft = 8.0, .paper = 75.0},
-     .draw = fig10}};
+     .draw = fig10,
+     .burns = [](Fidelity f) {
+         return std::vector{burning_sandwich(f, false), burning_sandwich(f, true)};
+     }}};
 
 }  // namespace
 

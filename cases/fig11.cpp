@@ -34,7 +34,7 @@ SurfaceLine from_origin(SurfaceLine line) {
     return line;
 }
 
-void add(Outcome& outcome, const std::string& name, const SandwichBurn& burn) {
+void add(Outcome& outcome, const std::string& name, const Burn& burn) {
     const SurfaceLine line = from_origin(surface_line(burn.last));
     const auto [lowest, highest] = std::ranges::minmax(line.height);
     outcome.figure.table(
@@ -45,8 +45,8 @@ void add(Outcome& outcome, const std::string& name, const SandwichBurn& burn) {
 }
 
 Outcome fig11(const Request& request) {
-    const auto thermal = burn_sandwich(burning_sandwich(request.fidelity, false), request);
-    const auto coupled = burn_sandwich(burning_sandwich(request.fidelity, true), request);
+    const auto thermal = kept_burn(burning_sandwich(request.fidelity, false), request);
+    const auto coupled = kept_burn(burning_sandwich(request.fidelity, true), request);
     Outcome outcome{reports::Figure("fig11", request.out, "cases/fig11.gp"), {}, {}};
     add(outcome, "thermal", *thermal);
     add(outcome, "coupled", *coupled);
@@ -58,12 +58,16 @@ Outcome fig11(const Request& request) {
     return outcome;
 }
 
-const Registered here{{.name = "fig11",
-                       .figure = "Fig. 11",
-                       .shows = "sandwich: steady profile of the surface",
-                       .physics = {physics::burning, physics::coupling, physics::sandwich},
-                       .cost = {.draft = 8.0, .paper = 75.0},
-                       .draw = fig11}};
+const Registered here{
+    {.name = "fig11",
+     .figure = "Fig. 11",
+     .shows = "sandwich: steady profile of the surface",
+     .physics = {physics::burning, physics::coupling, physics::sandwich},
+     .cost = {.draft = 8.0, .paper = 75.0},
+     .draw = fig11,
+     .burns = [](Fidelity f) {
+         return std::vector{burning_sandwich(f, false), burning_sandwich(f, true)};
+     }}};
 
 }  // namespace
 

@@ -1,56 +1,44 @@
 # Figure 13: four maps side by side, all in the laboratory. Their places are fractions of the panel.
 
-@map_axes
-set xlabel 'x / µm'
+set datafile missing '?'  # a NaN lifts the pen
 set xrange [-width / 2:width / 2]
 set yrange [bottom:5]
-set xtics -60, 60, 60
-set ytics 100
-set contour base
-set cntrparam levels discrete 0.5
-set cntrlabel onecolor
-set bmargin at screen foot_side
-set tmargin at screen foot_side + map_height
 
-hidden = '#ff000000'  # what stands on all four would be drawn four times
-
+# What stands on all four is drawn with the first only.
 four_maps = "\
 set multiplot; \
 do for [k = 1:4] { \
-    set lmargin at screen left_side + (k - 1) * map_side; \
-    set rmargin at screen left_side + k * map_side - 0.012; \
-    set title value(sprintf('time%d', k)); \
-    if (k == 1) { set ylabel 'y / µm' offset -1,0; set ytics format '%g' } else { unset ylabel; set ytics format '' }; \
+    eval map_place(left_side + (k - 1) * map_side, left_side + k * map_side - gap_side, foot_side, foot_side + map_height); \
+    @map_only; \
     if (k == 4) { set colorbox } else { unset colorbox }; \
-    do for [l = 100:101] { set label l textcolor rgb (k > 1 ? hidden : l == 100 ? grey : 'black') }; \
-    splot value(sprintf('data_%s%d', table, k)) using 1:2:field with pm3d nocontour, \
-          value(sprintf('data_nodes%d', k)) using 1:2:4 with lines nosurface lw 0.5 lc rgb outline \
+    splot value(sprintf('data_%s%d', table, k)) using 1:2:column_number with pm3d; \
+    @map_frame; \
+    set xtics -width / 4, width / 4, width / 4; set ytics 100; set xlabel 'x / µm'; set title value(sprintf('time%d', k)) offset 0,-0.4; \
+    if (k == 1) { set ylabel 'y / µm'; set ytics format '%g'; eval heading(letter, name); @small_print } \
+    else { unset ylabel; set ytics format '' }; \
+    plot value(sprintf('data_rims%d', k)) using 1:2 with lines lw 0.7 lc rgb rim, \
+         value(sprintf('data_surface%d', k)) using 1:2 with lines lw 0.8 lc rgb '#404040' \
 }; \
 unset multiplot"
 
 @panel_a
-table = 'nodes'; field = 3; outline = 'white'
-set label 101 'a   temperature' at screen 0.01, screen 0.98 left
-set cblabel 'T / K' offset 1,0
+letter = 'a'; name = 'temperature'; table = 'nodes'; column_number = 3; rim = 'white'
+set cblabel 'T / K'
 @viridis
+set cbrange [lowest_temperature:largest_temperature]
 @colours_nodes1
-set cbrange [300:largest_temperature]
 @four_maps
 
 @panel_b
-table = 'cells'; field = 3; outline = 'grey40'
-set label 101 'b   pressure'
-set cblabel 'p / MPa' offset 1,0
-@diverging
+letter = 'b'; name = 'pressure'; table = 'cells'; column_number = 3; rim = '#606060'
+set cblabel 'p / MPa'
+eval diverging(lowest_pressure, largest_pressure)
 @colours_cells1
-most = largest_pressure
-@symmetric
 @four_maps
 
 @panel_c
-table = 'cells'; field = 4; outline = 'white'
-set label 101 'c   strain norm'
-set cblabel '|E|' offset 1,0
+letter = 'c'; name = 'strain norm'; table = 'cells'; column_number = 4; rim = 'white'
+set cblabel '|E|'
 @viridis
 set cbrange [0:largest_strain]
 @four_maps

@@ -2,8 +2,7 @@
 ///
 /// The last of the four times of figure 13, close to the surface. Hot AP cannot expand sideways
 /// and stands under pressure; the binder between is soft, carries little, and is strained instead.
-/// Lines are the outlines of the discs as the solver has them, where a cell's fraction of AP is one
-/// half; every cell of pressure and strain is drawn as it is.
+/// Lines are the rims of the discs; every cell of pressure and strain is drawn as it is.
 ///
 /// The largest values hang on the grid, because stress is singular where an interface meets the
 /// surface; the mean over 5 um about each peak is given beside it.
@@ -28,18 +27,19 @@ using namespace units;
 constexpr double shown_below_surface = 70 * um;
 constexpr double above_surface = 5 * um;
 constexpr double map_width = 540.0;  // [points]
-constexpr double left = 100.0, right = 130.0, foot = 75.0, head = 40.0;
+constexpr double left = 80.0, right = 120.0, foot = 90.0, head = 45.0;
 
 Outcome fig14(const Request& request) {
     const Scene scene = burning_pack(request.fidelity);
-    const auto burn = burn_packs({scene}, request).front();
-    const Snapshot& last = burn->snapshots.back();
+    const auto burn = kept_burn(scene, request);
+    const Snapshot& last = burn->last;
     const auto [lowest, highest] = surface_span(last);
     const double bottom = lowest - shown_below_surface;
     const Peak strain = peak(last, last.strain_norm, peak_radius);
     const Peak pressure = peak(last, last.pressure, peak_radius);
 
     const reports::QuadMap nodes = node_maps(last, bottom);
+    const auto pressures = std::ranges::minmax(last.pressure.values());
     const auto temperature = std::ranges::minmax(nodes.fields.front().values);
 
     const double span = highest + above_surface - bottom;
@@ -48,6 +48,8 @@ Outcome fig14(const Request& request) {
     reports::Figure figure("fig14", request.out, "cases/fig14.gp");
     figure.map("nodes", nodes)
         .map("cells", cell_maps(last, bottom))
+        .table("surface", surface_line_of(last))
+        .table("rims", disc_rims(scene, last, bottom))
         .set("width", scene.domain.width / um)
         .set("bottom", bottom / um)
         .set("top", (highest + above_surface) / um)
@@ -58,8 +60,8 @@ Outcome fig14(const Request& request) {
         .set("lowest_temperature", temperature.min)
         .set("largest_temperature", temperature.max)
         .set("largest_strain", strain.value)
-        .set("largest_pressure",
-             std::max(std::abs(pressure.value), -std::ranges::min(last.pressure.values())) / MPa)
+        .set("lowest_pressure", pressures.min / MPa)
+        .set("largest_pressure", pressures.max / MPa)
         .caption({.grid = grid_text(scene),
                   .step = step_text(scene),
                   .revision = revision(),
@@ -81,7 +83,8 @@ const Registered here{{.name = "fig14",
                        .physics = {physics::heat, physics::burning, physics::stress,
                                    physics::coupling, physics::reference_map, physics::pack},
                        .cost = {.draft = 12.0, .paper = 700.0},
-                       .draw = fig14}};
+                       .draw = fig14,
+                       .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; }}};
 
 }  // namespace
 

@@ -1,40 +1,37 @@
 # Figure 14: the uppermost part of the pack.
 
-@map_axes
-set xlabel 'x / µm' offset 0,0.6
-set ylabel 'y / µm' offset -1,0
+set datafile missing '?'  # a NaN lifts the pen
 set xrange [-width / 2:width / 2]
 set yrange [bottom:top]
-set xtics 40 offset 0,0.2
-set ytics 20
-set contour base
-set cntrparam levels discrete 0.5
-set cntrlabel onecolor
-set lmargin at screen left_side
-set rmargin at screen right_side
-set bmargin at screen foot_side
-set tmargin at screen head_side
+eval map_place(left_side, right_side, foot_side, head_side)
+
+one_map = "\
+set multiplot; \
+@map_only; \
+splot field using 1:2:column_number with pm3d; \
+@map_frame; \
+set xtics 40; set ytics 20; set xlabel 'x / µm'; set ylabel 'y / µm'; eval heading(letter, name); @small_print; \
+plot data_rims using 1:2 with lines lw 1.0 lc rgb rim, data_surface using 1:2 with lines lw 1.0 lc rgb '#404040'; \
+unset multiplot"
 
 @panel_a
-set title 'a   temperature'
-set cblabel 'T / K' offset 1,0
+letter = 'a'; name = 'temperature'; field = data_nodes; column_number = 3; rim = 'white'
+set cblabel 'T / K'
 @viridis
-@colours_nodes
 set cbrange [lowest_temperature:largest_temperature]
-splot data_nodes using 1:2:3 with pm3d nocontour, data_nodes using 1:2:4 with lines nosurface lw 0.7 lc rgb 'white'
+@colours_nodes
+@one_map
 
 @panel_b
-set title 'b   pressure'
-set cblabel 'p / MPa' offset 1,0
-@diverging
+letter = 'b'; name = 'pressure'; field = data_cells; column_number = 3; rim = '#606060'
+set cblabel 'p / MPa'
+eval diverging(lowest_pressure, largest_pressure)
 @colours_cells
-most = largest_pressure
-@symmetric
-splot data_cells using 1:2:3 with pm3d nocontour, data_nodes using 1:2:4 with lines nosurface lw 0.7 lc rgb 'grey40'
+@one_map
 
 @panel_c
-set title 'c   strain norm'
-set cblabel '|E|' offset 1,0
+letter = 'c'; name = 'strain norm'; field = data_cells; column_number = 4; rim = 'white'
+set cblabel '|E|'
 @viridis
 set cbrange [0:largest_strain]
-splot data_cells using 1:2:4 with pm3d nocontour, data_nodes using 1:2:4 with lines nosurface lw 0.7 lc rgb 'white'
+@one_map

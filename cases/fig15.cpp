@@ -34,7 +34,7 @@ double mean_of_all(const std::vector<double>& values) {
 }
 
 /// Findings of one run; returns mean temperature [K] and mean burn rate [m/s].
-std::pair<Course, Course> add(Outcome& outcome, const std::string& name, const PackBurn& burn) {
+std::pair<Course, Course> add(Outcome& outcome, const std::string& name, const Burn& burn) {
     const Course temperature = course(burn.time, burn.largest_temperature);
     const Course rate = course(burn.time, burn.mean_burn_rate);
     outcome.figure
@@ -59,11 +59,11 @@ std::pair<Course, Course> add(Outcome& outcome, const std::string& name, const P
 
 Outcome fig15(const Request& request) {
     const Scene scene = burning_pack(request.fidelity);
-    const auto burns =
-        burn_packs({scene, burning_pack(request.fidelity, {.mechanics = false})}, request);
     Outcome outcome{reports::Figure("fig15", request.out, "cases/fig15.gp"), {}, {}};
-    const auto thermal = add(outcome, "thermal", *burns.back());
-    const auto coupled = add(outcome, "coupled", *burns.front());
+    const auto thermal =
+        add(outcome, "thermal",
+            *kept_burn(burning_pack(request.fidelity, {.mechanics = false}), request));
+    const auto coupled = add(outcome, "coupled", *kept_burn(scene, request));
     outcome.findings.push_back(
         {"largest temperature changed by mechanics", coupled.first.mean - thermal.first.mean, "K"});
     outcome.findings.push_back({"mean burn rate changed by mechanics",
@@ -85,7 +85,10 @@ const Registered here{
      .shows = "pack: largest temperature and burn rate, with and without stress",
      .physics = {physics::heat, physics::burning, physics::coupling, physics::pack},
      .cost = {.draft = 15.0, .paper = 750.0},
-     .draw = fig15}};
+     .draw = fig15,
+     .burns = [](Fidelity f) {
+         return std::vector{burning_pack(f), burning_pack(f, {.mechanics = false})};
+     }}};
 
 }  // namespace
 

@@ -83,8 +83,8 @@ double strain_about_the_peak(const Snapshot& snapshot) {
 }
 
 reports::Measurement measure(int columns) {
-    const Snapshot& last = burn_sandwich(scene(columns), {})->last;
-    const Snapshot& coarse = burn_sandwich(scene(64), {})->last;
+    const Snapshot last = kept_burn(scene(columns), {})->last;
+    const Snapshot coarse = kept_burn(scene(64), {})->last;
     const auto v = [&](int i, int j) { return last.velocity(i, j).y(); };
     const auto p = [&](int i, int j) { return last.pressure(i, j); };
     return reports::Measurement(1.0 / columns)

@@ -108,7 +108,7 @@ reports::Sample along_surface(const Snapshot& at, double from, double to, const 
 }
 
 Measurement measure(const Scene& scene, double h) {
-    const auto burn = burn_sandwich(scene, {});
+    const auto burn = kept_burn(scene, {});
     const Snapshot& last = burn->last;
     const auto t = [&](int i, int j) { return last.temperature(i, j); };
     const auto y = [&](int i, int j) { return last.position(i, j).y(); };

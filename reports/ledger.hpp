@@ -25,7 +25,7 @@ std::string_view name(Standing standing);
 struct Uncertainty {
     std::optional<double> grid = {};   ///< Grid convergence index over x and y
     std::optional<double> step = {};   ///< The same over the time step
-    std::optional<double> packs = {};  ///< Standard deviation from pack to pack
+    std::optional<double> packs = {};  ///< Two standard deviations from pack to pack
 
     /// Root of the sum of squares of those that are there; nothing if none is.
     std::optional<double> total() const;

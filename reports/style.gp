@@ -61,13 +61,6 @@ map_only = "set view map; unset border; unset xtics; unset ytics; unset ztics; u
 unset label 101"
 map_frame = "set border 15; set xtics out nomirror scale 0.6 textcolor rgb 'black'; \
 set ytics out nomirror scale 0.6 textcolor rgb 'black'"
-diverging = "set palette defined (0 '#053061', 1 '#2166ac', 2 '#4393c3', 3 '#92c5de', 4 '#d1e5f0', 5 '#f7f7f7', \
-6 '#fddbc7', 7 '#f4a582', 8 '#d6604d', 9 '#b2182b', 10 '#67001f')"
-symmetric = "set cbrange [-most:most]"
-map_axes = "set view map; unset key; unset grid; set border 15; set size ratio -1; \
-set lmargin at screen 0.17; set rmargin at screen 0.78; set bmargin at screen 0.14; set tmargin at screen 0.93; \
-set xtics out offset 0,1.2; set ytics out; set xlabel offset 0,1.4; set title offset 0,-0.4; \
-set autoscale xfix; set autoscale yfix; set autoscale cbfix; set colorbox"
 @viridis
 
 # Orders: @loglog for errors against cell size, which is halved from grid to grid.

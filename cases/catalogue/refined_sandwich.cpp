@@ -19,18 +19,24 @@ std::vector<int> columns(Fidelity fidelity) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<const SandwichBurn>> refined_sandwich(const Request& request) {
-    std::vector<std::shared_ptr<const SandwichBurn>> burns;
-    for (const int nx : columns(request.fidelity)) {
-        Scene scene = burning_sandwich(request.fidelity, true);
+std::vector<Scene> refined_scenes(Fidelity fidelity) {
+    std::vector<Scene> scenes;
+    for (const int nx : columns(fidelity)) {
+        Scene& scene = scenes.emplace_back(burning_sandwich(fidelity, true));
         scene.domain.nx = nx;
-        if (request.fidelity == Fidelity::draft) scene.time.end = 0.04;
-        burns.push_back(burn_sandwich(scene, request));
+        if (fidelity == Fidelity::draft) scene.time.end = 0.04;
     }
+    return scenes;
+}
+
+std::vector<std::shared_ptr<const Burn>> refined_sandwich(const Request& request) {
+    std::vector<std::shared_ptr<const Burn>> burns;
+    for (const Scene& scene : refined_scenes(request.fidelity))
+        burns.push_back(kept_burn(scene, request));
     return burns;
 }
 
-std::string grids_text(const std::vector<std::shared_ptr<const SandwichBurn>>& burns) {
+std::string grids_text(const std::vector<std::shared_ptr<const Burn>>& burns) {
     std::string text;
     for (size_t k = 0; k + 1 < burns.size(); ++k)
         text += fmt::format("{}, ", burns[k]->scene.domain.nx);

@@ -57,6 +57,9 @@ struct Entry {
     std::vector<std::string> physics = {};  ///< headings of physics.hpp, besides what studies cover
     Cost cost = {};
     std::function<Outcome(const Request&)> draw = {};
+    /// The scenes whose burns `draw` will ask for (burn_store.hpp), so that they can be made side
+    /// by side before.
+    std::function<std::vector<Scene>(Fidelity)> burns = {};
     std::function<std::vector<reports::Study>()> studies = {};
     std::filesystem::path source = {};  ///< "cases/<file>.cpp"; filled in when it registers
 };

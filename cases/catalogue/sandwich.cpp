@@ -4,41 +4,15 @@
 
 #include <cmath>
 
-#include "cases/catalogue/burns.hpp"
 #include "cases/catalogue/units.hpp"
-#include "solver/burning/burn_rate.hpp"
 #include "solver/scene/read_scene.hpp"
-#include "solver/simulation/simulation.hpp"
 
 namespace crawford {
-
-namespace {
-
-using Burn = std::shared_ptr<const SandwichBurn>;
-
-Burn burn_now(const Scene& scene, const Request& request) {
-    auto burn = std::make_shared<SandwichBurn>();
-    burn->scene = scene;
-    Simulation simulation(scene);
-    const long steps = std::lround(scene.time.end / scene.time.step);
-    const std::string what =
-        scene.physics.mechanics ? "thermo-mechanical sandwich" : "thermal sandwich";
-    for (long k = 1; k <= steps; ++k) {
-        simulation.step();
-        burn->time.push_back(simulation.state().time);
-        burn->mean_burn_rate.push_back(
-            mean_burn_rate(simulation.grid(), simulation.state().surface, simulation.burn_rate()));
-        if (request.progress) request.progress(what, double(k) / double(steps));
-    }
-    burn->last = collect_snapshot(simulation);
-    return burn;
-}
-
-}  // namespace
 
 Scene sandwich(const std::vector<std::string>& overrides) {
     Scene scene = read_scene(reports::source_path("cases/scenes/sandwich.toml"), overrides);
     scene.time.until_steady.reset();
+    scene.output = {.checkpoint_every = 10e-3};
     return scene;
 }
 
@@ -59,11 +33,6 @@ Scene burning_sandwich(Fidelity fidelity, bool mechanics) {
                                                "time.end=0.1 s"});
     }
     return sandwich(overrides);
-}
-
-Burn burn_sandwich(const Scene& scene, const Request& request) {
-    static Burns<SandwichBurn> burns;
-    return burns.get(scene, [&] { return burn_now(scene, request); });
 }
 
 SurfaceLine surface_line(const Snapshot& half) {

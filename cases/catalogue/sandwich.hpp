@@ -1,14 +1,13 @@
-/// The AP/binder sandwich of cases/scenes/sandwich.toml, burnt once however many cases look at it.
+/// The AP/binder sandwich of cases/scenes/sandwich.toml.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "cases/catalogue/burn_store.hpp"
 #include "cases/catalogue/registry.hpp"
 #include "cases/catalogue/scene_text.hpp"
 #include "reports/figure_data.hpp"
-#include "solver/output/snapshot.hpp"
 
 namespace crawford {
 
@@ -19,18 +18,6 @@ Scene sandwich(const std::vector<std::string>& overrides);
 /// The burning sandwich at a fidelity: paper is 64 columns over the whole width, 96 rows, steps of
 /// 20 us, until 0.1 s.
 Scene burning_sandwich(Fidelity fidelity, bool mechanics);
-
-/// What a burn leaves for figures.
-struct SandwichBurn {
-    Scene scene;
-    Snapshot last;
-    std::vector<double> time;            ///< of each step [s]
-    std::vector<double> mean_burn_rate;  ///< at each step [m/s]
-};
-
-/// Burns the scene to its end, or takes the burn of an equal scene that this program has made or is
-/// just making.
-std::shared_ptr<const SandwichBurn> burn_sandwich(const Scene& scene, const Request& request);
 
 /// A line along the surface: x from side to side of the whole sandwich [m], height and temperature
 /// of the surface [m, K].

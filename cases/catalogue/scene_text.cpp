@@ -8,12 +8,12 @@ namespace crawford {
 
 std::string grid_text(const Scene& scene) {
     const Domain& d = scene.domain;
-    return fmt::format("{} x {}, clustering {}{}", d.nx, d.ny, d.clustering,
+    return fmt::format("{} × {}, clustering {}{}", d.nx, d.ny, d.clustering,
                        d.half ? ", half modelled" : "");
 }
 
 std::string step_text(const Scene& scene) {
-    return fmt::format("{:g} us, t = {:g} s", scene.time.step / units::us, scene.time.end);
+    return fmt::format("{:g} µs, t = {:g} s", scene.time.step / units::us, scene.time.end);
 }
 
 }  // namespace crawford

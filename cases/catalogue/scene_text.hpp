@@ -7,7 +7,7 @@
 
 namespace crawford {
 
-/// "64 x 96, clustering 2"
+/// "64 × 96, clustering 2"
 std::string grid_text(const Scene& scene);
 /// "20 us, t = 0.1 s"
 std::string step_text(const Scene& scene);

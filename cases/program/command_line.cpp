@@ -20,12 +20,14 @@ struct Parser {
     CLI::App app{help::program, "crawford"};
     ListOptions list;
     RunOptions run;
+    LedgerOptions ledger;
     VerifyOptions verify;
     ReportOptions report;
     BurnSceneOptions burn;
     PackOptions pack;
     CLI::App* list_command = nullptr;
     CLI::App* run_command = nullptr;
+    CLI::App* ledger_command = nullptr;
     CLI::App* verify_command = nullptr;
     CLI::App* report_command = nullptr;
     CLI::App* burn_command = nullptr;
@@ -40,6 +42,7 @@ struct Parser {
         app.footer(help::program_examples);
         add_list();
         add_run();
+        add_ledger();
         add_verify();
         add_report();
         add_burn();
@@ -59,8 +62,22 @@ struct Parser {
             ->type_name("WORD")
             ->capture_default_str();
         add_out(run_command, run.out, "out")->capture_default_str();
+        run_command->add_flag("--again", run.again,
+                              "Draw also what is up to date (burns are kept)");
         add_quiet(run_command, run.quiet);
         run_command->footer(help::run_examples);
+    }
+
+    void add_ledger() {
+        ledger_command = app.add_subcommand("ledger", help::ledger);
+        ledger_command->add_flag("--settle", ledger.settle,
+                                 "Burn all that it rests on: hours at paper, minutes at draft");
+        ledger_command->add_option("--fidelity", ledger.fidelity, "draft, paper or fine")
+            ->type_name("WORD")
+            ->capture_default_str();
+        add_out(ledger_command, ledger.out, "out")->capture_default_str();
+        add_quiet(ledger_command, ledger.quiet);
+        ledger_command->footer(help::ledger_examples);
     }
 
     void add_verify() {
@@ -78,7 +95,7 @@ struct Parser {
 
     void add_report() {
         report_command = app.add_subcommand("report", help::report);
-        report_command->add_option("--out", report.out, "Directory of a verify, else out/verify")
+        report_command->add_option("--out", report.out, "Directory with results")
             ->type_name("DIR")
             ->capture_default_str();
         report_command->footer(help::report_examples);
@@ -162,7 +179,8 @@ std::vector<std::string> command_names(const CLI::App& app) {
     const CLI::App& command = parser.named();
     if (&command == &parser.app)
         throw InputError(
-            "a command is missing: list, run, verify, report, burn or pack; see crawford --help");
+            "a command is missing: list, run, ledger, verify, report, burn or pack; see crawford "
+            "--help");
     throw InputError(fmt::format("{}; see crawford {} --help", error.what(), command.get_name()));
 }
 
@@ -171,6 +189,8 @@ Job job_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) 
     if (parser->report_command->parsed()) return [parser] { return report(parser->report); };
     if (parser->run_command->parsed())
         return [parser, arguments] { return run(parser->run, arguments); };
+    if (parser->ledger_command->parsed())
+        return [parser, arguments] { return settle_ledger(parser->ledger, arguments); };
     if (parser->verify_command->parsed())
         return [parser, arguments] { return verify(parser->verify, arguments); };
     if (parser->pack_command->parsed()) return [parser] { return pack(parser->pack); };

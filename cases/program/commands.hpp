@@ -24,6 +24,14 @@ struct RunOptions {
     std::vector<std::string> cases;
     std::string fidelity = "paper";
     std::filesystem::path out = "out";
+    bool again = false;  ///< draw also what is up to date
+    bool quiet = false;
+};
+
+struct LedgerOptions {
+    bool settle = false;  ///< burn all that it rests on; else take the one in the tree
+    std::string fidelity = "paper";
+    std::filesystem::path out = "out";
     bool quiet = false;
 };
 
@@ -35,7 +43,7 @@ struct VerifyOptions {
 };
 
 struct ReportOptions {
-    std::filesystem::path out = "out/verify";
+    std::filesystem::path out = "out";
 };
 
 struct BurnSceneOptions {
@@ -60,16 +68,21 @@ struct ListOptions {
 /// The catalogue, on stdout.
 int list(const ListOptions& options);
 
-/// Draws cases, two at a time. One that fails stops no other.
-/// \throws InputError naming the nearest case if one is unknown, before anything is computed.
+/// Draws cases that are not up to date, as many at a time as there are cores, and goes on with
+/// burns that were cut off. One that fails stops no other. \throws InputError naming the nearest
+/// case if one is unknown, before anything is computed.
 int run(const RunOptions& options, const CommandLine& command);
+
+/// Writes DIR/figures/ledger.json and its page: settled anew, or as it lies in the source tree.
+/// \throws NumericalFailure if a case that it cites or a burn that a row rests on fails.
+int settle_ledger(const LedgerOptions& options, const CommandLine& command);
 
 /// Runs studies, all their grids out of one queue, and writes verify.json and report.html.
 /// \throws InputError as run(), or if no study has any of the grids.
 int verify(const VerifyOptions& options, const CommandLine& command);
 
-/// Writes report.html anew from the verify.json that is there.
-/// \throws InputError if there is none or it cannot be understood.
+/// Writes the pages anew from the results that are there: see help.hpp.
+/// \throws InputError if there are none or they cannot be understood.
 int report(const ReportOptions& options);
 
 /// Burns a scene.

@@ -26,6 +26,18 @@ Examples:
   crawford run fig03 fig04
   crawford run fig07 fig10 fig11 --fidelity draft --out out/draft)";
 
+inline constexpr auto ledger = "Set the claims of the paper beside what is found here";
+
+inline constexpr auto ledger_examples = R"(
+Writes DIR/figures/ledger.json and its page: claim, paper, ours with uncertainty, reading, verdict.
+As a rule the ledger is the one that lies in the source tree. --settle finds its numbers anew: the
+readings, refinements and packs that it rests on are burnt. What is burnt is kept, and a run that
+was cut off goes on.
+
+Examples:
+  crawford ledger
+  crawford ledger --settle --fidelity draft --out out/draft)";
+
 inline constexpr auto verify = "Hold the solver against its truths; exit 1 if a gate falls short";
 
 inline constexpr auto verify_examples = R"(
@@ -42,9 +54,16 @@ Examples:
   crawford verify heat 'slab, AP, beta = alpha K' entries of the catalogue, single studies
   crawford verify slab --grids 32,64,128,256,512)";
 
-inline constexpr auto report = "Write the report of a verify anew from its verify.json";
+inline constexpr auto report = "Write the pages anew: figures, ledger, verification";
 
 inline constexpr auto report_examples = R"(
+Computes nothing: makes of what lies in DIR what is there to make of it.
+
+  DIR/figures/*_manifest.json   a page for each case that has been drawn, and figures/index.html
+  DIR/figures/ledger.json       figures/ledger.html
+  DIR/verify/verify.json        verify/report.html
+  DIR/verify.json               report.html
+
 Examples:
   crawford report
   crawford report --out out/verify)";

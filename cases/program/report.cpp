@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cases/program/commands.hpp"
+#include "cases/program/pages.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/verification.hpp"
 #include "solver/errors.hpp"
@@ -13,7 +14,9 @@ namespace crawford {
 
 namespace {
 
-reports::Verification read(const std::filesystem::path& file) {
+namespace fs = std::filesystem;
+
+reports::Verification read(const fs::path& file) {
     try {
         return reports::read_verification(file);
     } catch (const std::runtime_error& problem) {
@@ -22,12 +25,41 @@ reports::Verification read(const std::filesystem::path& file) {
     }
 }
 
+/// Where the index of figures lies, seen from `directory`; empty if there is none.
+std::string address_of_figures(const fs::path& directory) {
+    for (const char* address : {"../figures/index.html", "figures/index.html"})
+        if (fs::exists(directory / address)) return address;
+    return {};
+}
+
+/// Whether there was anything to report.
+bool report_studies(const fs::path& directory) {
+    const fs::path results = directory / "verify.json";
+    if (!fs::exists(results)) return false;
+    const fs::path page = directory / "report.html";
+    reports::write_atomically(page,
+                              reports::page::report(read(results), address_of_figures(directory)));
+    std::cout << "report: " << page.string() << '\n';
+    return true;
+}
+
+bool report_figures(const fs::path& out) {
+    const auto index = write_figure_pages(out);
+    if (index) std::cout << "figures: " << index->string() << '\n';
+    return index.has_value();
+}
+
 }  // namespace
 
 int report(const ReportOptions& options) {
-    const auto page = options.out / "report.html";
-    reports::write_atomically(page, reports::page::report(read(options.out / "verify.json")));
-    std::cout << "report: " << page.string() << '\n';
+    const bool figures = report_figures(options.out);  // first: the studies link to them
+    const bool below = report_studies(options.out / "verify");
+    const bool here = report_studies(options.out);
+    if (!figures && !below && !here)
+        throw InputError(
+            fmt::format("{} holds no results: no figures, no verify/verify.json, no verify.json; "
+                        "crawford run and crawford verify leave them",
+                        options.out.string()));
     return exit_code::done;
 }
 

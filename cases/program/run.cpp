@@ -1,21 +1,22 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <future>
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
 
+#include "cases/catalogue/burn_store.hpp"
+#include "cases/catalogue/file_lock.hpp"
+#include "cases/program/burning.hpp"
 #include "cases/program/choose.hpp"
 #include "cases/program/commands.hpp"
 #include "cases/program/failure.hpp"
+#include "cases/program/figure_record.hpp"
 #include "cases/program/narrator.hpp"
+#include "cases/program/pages.hpp"
 #include "cases/program/provenance.hpp"
-#include "reports/atomic_file.hpp"
+#include "cases/program/workload.hpp"
 #include "solver/output/atomic_file.hpp"
 #include "solver/scene/write_scene.hpp"
 
@@ -23,94 +24,111 @@ namespace crawford {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Draws cases side by side; every thread takes the next that nobody has begun.
+/// Draws cases: first the burns that they share and those that need none, side by side, then those
+/// that look at the burns.
 class Run {
 public:
     Run(const RunOptions& options, const CommandLine& command)
-        : command_(command),
-          chosen_(choose_cases(options.cases)),
-          fidelity_word_(options.fidelity),
+        : options_(options),
+          command_(command),
+          fidelity_(fidelity_of(options.fidelity)),
           narrator_(options.quiet) {
-        request_.fidelity = fidelity_of(options.fidelity);
-        request_.out = options.out;
-        request_.progress = [this](const std::string& what, double done) {
-            narrator_.progress(what, done);
-        };
-        prepare_directory(request_.out / "figures");
+        for (const Entry* entry : choose_cases(options.cases)) chosen_.push_back(entry);
+        prepare_directory(figures());
     }
 
     int all() {
-        const size_t threads =
-            std::min<size_t>(std::max(1U, std::thread::hardware_concurrency()), chosen_.size());
-        std::vector<std::future<void>> workers;
-        for (size_t k = 0; k < threads; ++k)
-            workers.push_back(std::async(std::launch::async, [this] { take_cases(); }));
-        for (auto& worker : workers) worker.get();
+        const FileLock lock(figures() / ".lock", [this] {
+            narrator_.say("waiting for another run that draws into " + figures().string());
+        });
+        remove_halves(figures());
+        std::erase_if(chosen_, [this](const Entry* entry) { return is_up_to_date(*entry); });
+        Workload workload(narrator_);
+        workload.run(burns_and_plain_cases(),
+                     [this](const Task& task, auto failure) { tell_failure(task.name, failure); });
+        workload.run(cases_of_burns(),
+                     [this](const Task& task, auto failure) { tell_failure(task.name, failure); });
+        write_figure_pages(options_.out);
         return worst_;
     }
 
 private:
-    void take_cases() {
-        for (size_t k = next_++; k < chosen_.size(); k = next_++) try_one(*chosen_[k]);
+    fs::path figures() const { return options_.out / "figures"; }
+
+    bool is_up_to_date(const Entry& entry) {
+        const auto record = read_figure_record(figures(), entry.name);
+        if (options_.again || !record || !record->is_of(options_.fidelity)) return false;
+        narrator_.say(fmt::format("{}: up to date", entry.name));
+        tell(entry, *record);
+        return true;
     }
 
-    void try_one(const Entry& entry) {
-        try {
-            draw(entry);
-        } catch (...) {
-            const Failure failure = failure_of(std::current_exception());
-            const std::scoped_lock lock(mutex_);
-            std::cerr << fmt::format("crawford run: {}: {}\n", entry.name, failure.message);
-            worst_ = std::max(worst_, failure.exit_code);
-        }
+    std::vector<Task> burns_and_plain_cases() {
+        std::vector<Scene> scenes;
+        for (const Entry* entry : chosen_)
+            if (entry->burns)
+                for (const Scene& scene : entry->burns(fidelity_)) scenes.push_back(scene);
+        std::vector<Task> tasks = burnings(scenes, fidelity_, options_.out);
+        for (const Entry* entry : chosen_)
+            if (!entry->burns) tasks.push_back(drawing(*entry));
+        return tasks;
     }
 
-    void draw(const Entry& entry) {
-        narrator_.say(fmt::format("{}: {} ...", entry.name, entry.shows));
+    std::vector<Task> cases_of_burns() {
+        std::vector<Task> tasks;
+        for (const Entry* entry : chosen_)
+            if (entry->burns) tasks.push_back(drawing(*entry));
+        return tasks;
+    }
+
+    Task drawing(const Entry& entry) {
+        // What looks at burns that are there takes a second, whatever the burns took.
+        const double cost = fidelity_ == Fidelity::draft ? entry.cost.draft : entry.cost.paper;
+        return {entry.name, entry.burns ? 1.0 : cost,
+                [this, &entry](const Task::Progress& progress) { draw(entry, progress); }};
+    }
+
+    void draw(const Entry& entry, const Task::Progress& progress) {
         const auto start = Clock::now();
-        const Outcome outcome = entry.draw(request_);
-        const auto pictures = outcome.figure.draw();
-        write_manifest(entry, outcome, seconds_since(start));
-        narrator_.say(fmt::format("{}: done in {:.1f} s", entry.name, seconds_since(start)));
-        tell(entry, outcome, pictures);
+        const Outcome outcome =
+            entry.draw({.fidelity = fidelity_, .out = options_.out, .progress = progress});
+        FigureRecord record{.fidelity = options_.fidelity,
+                            .findings = outcome.findings,
+                            .pictures = outcome.figure.draw(),
+                            .data = outcome.figure.data()};
+        for (const Scene& scene : outcome.scenes) record.scenes.push_back(to_toml(scene));
+        record.seconds = seconds_since(start);
+        write(figures(), entry.name, record, provenance(command_));
+        tell(entry, record);
     }
 
-    void tell(const Entry& entry, const Outcome& outcome,
-              const std::vector<std::filesystem::path>& pictures) {
+    void tell(const Entry& entry, const FigureRecord& record) {
         const std::scoped_lock lock(mutex_);
         std::cout << fmt::format("{}: {}\n", entry.figure, entry.shows);
-        for (const Finding& finding : outcome.findings)
+        for (const Finding& finding : record.findings)
             std::cout << fmt::format("  {:<58} {:>12.6g} {}\n", finding.what, finding.value,
                                      finding.unit);
-        for (const auto& picture : pictures) std::cout << "  " << picture.string() << '\n';
+        for (const auto& picture : record.pictures) std::cout << "  " << picture.string() << '\n';
     }
 
-    void write_manifest(const Entry& entry, const Outcome& outcome, double seconds) const {
-        auto json = provenance(command_);
-        json["case"] = entry.name;
-        json["fidelity"] = fidelity_word_;
-        json["wall_seconds"] = seconds;
-        auto& findings = json["findings"] = nlohmann::ordered_json::array();
-        for (const Finding& f : outcome.findings)
-            findings.push_back({{"what", f.what}, {"value", f.value}, {"unit", f.unit}});
-        auto& scenes = json["scenes"] = nlohmann::ordered_json::array();
-        for (const Scene& scene : outcome.scenes) scenes.push_back(to_toml(scene));
-        reports::write_atomically(request_.out / "figures" / (entry.name + "_manifest.json"),
-                                  json.dump(2) + '\n');
+    void tell_failure(const std::string& name, std::exception_ptr exception) {
+        const Failure failure = failure_of(exception);
+        std::cerr << fmt::format("crawford run: {}: {}\n", name, failure.message);
+        worst_ = std::max(worst_, failure.exit_code);
     }
 
+    const RunOptions& options_;
     const CommandLine& command_;
-    std::vector<const Entry*> chosen_;
-    std::string fidelity_word_;
+    Fidelity fidelity_;
     Narrator narrator_;
-    Request request_;
-    std::atomic<size_t> next_ = 0;
+    std::vector<const Entry*> chosen_;
     std::mutex mutex_;
     int worst_ = exit_code::done;
 };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <utility>
@@ -14,10 +13,9 @@
 #include "cases/program/choose.hpp"
 #include "cases/program/commands.hpp"
 #include "cases/program/narrator.hpp"
+#include "cases/program/pages.hpp"
 #include "cases/program/provenance.hpp"
-#include "reports/figure.hpp"
 #include "reports/judgement.hpp"
-#include "reports/page/prose.hpp"
 #include "reports/verification.hpp"
 #include "solver/errors.hpp"
 #include "solver/output/atomic_file.hpp"
@@ -60,13 +58,6 @@ std::vector<reports::Task> tasks_of(const std::vector<ChosenStudy>& chosen,
     return tasks;
 }
 
-/// The opening comment of the entry's file; empty where the sources are not at hand.
-std::string page_of(const Entry& entry) {
-    std::ifstream file(reports::source_path(entry.source));
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return reports::page::opening_comment(text);
-}
-
 std::string command_of(const ChosenStudy& chosen, const std::vector<int>& grids, bool selected) {
     const bool plain = chosen.name.find_first_of(" ,()'=<>;&|*\"") == std::string::npos;
     auto command = fmt::format("build/crawford verify {0}{1}{0}", plain ? "" : "'", chosen.name);
@@ -84,7 +75,7 @@ reports::Verification collected(const std::vector<ChosenStudy>& chosen,
         const bool selected = !options.grids.empty() && !results[k].grids.empty();
         found.studies.push_back({.name = chosen[k].study.name(),
                                  .entry = chosen[k].entry->name,
-                                 .page = page_of(*chosen[k].entry),
+                                 .page = opening_comment_of(*chosen[k].entry),
                                  .source = chosen[k].entry->source.string(),
                                  .command = command_of(chosen[k], results[k].grids, selected),
                                  .covers = chosen[k].study.covered(),

@@ -1,0 +1,225 @@
+#include "cases/ledger/refinements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/catalogue/units.hpp"
+#include "reports/extrapolate.hpp"
+#include "reports/order.hpp"
+#include "solver/errors.hpp"
+
+namespace crawford::ledger {
+
+namespace {
+
+using namespace units;
+
+constexpr double formal_order = 1.0;
+
+const std::vector<Measure> of_pack = {mean_burn_rate_of_all,  mean_temperature,         mean_strain,
+                                      mean_strain_about_peak, mean_pressure_about_peak, relief};
+const std::vector<Measure> of_rigid_pack = {mean_burn_rate_of_all, mean_temperature, relief};
+const std::vector<Measure> of_sandwich = {
+    last_burn_rate,           last_temperature,     last_strain,      last_strain_about_peak,
+    last_pressure_about_peak, outward_displacement, height_of_profile};
+const std::vector<Measure> of_rigid_sandwich = {last_burn_rate, last_temperature,
+                                                height_of_profile};
+
+/// The size [um or us] that a direction refines.
+double size_of(const Scene& scene, const std::string& direction) {
+    if (direction == "dt") return scene.time.step / us;
+    if (direction == "y") return scene.domain.depth / scene.domain.ny / um;
+    return scene.domain.width / scene.domain.nx / um;
+}
+
+std::vector<Resolution> with_steps(Resolution base, const std::vector<double>& steps) {
+    std::vector<Resolution> all;
+    for (const double step : steps) {
+        base.step = step;
+        all.push_back(base);
+    }
+    return all;
+}
+
+std::vector<Series> both(const std::string& of, const std::string& file,
+                         const std::string& direction, const std::vector<Resolution>& resolutions,
+                         size_t used) {
+    const bool pack = of == "pack";
+    // As often as figures keep theirs, so that burns with the grid and step of a figure are shared.
+    const Subject subject(file, pack ? 5 * ms : 10 * ms);
+    return {{of, direction, subject, resolutions, used, true, pack ? of_pack : of_sandwich},
+            {of + ", rigid", direction, subject, resolutions, used, false,
+             pack ? of_rigid_pack : of_rigid_sandwich}};
+}
+
+reports::Refinement refinement(const Series& series, const Measure& measure,
+                               const std::vector<double>& sizes,
+                               const std::vector<std::shared_ptr<const Burn>>& burns) {
+    reports::Refinement found{.quantity = measure.what,
+                              .of = series.of,
+                              .direction = series.direction,
+                              .unit = measure.unit,
+                              .sizes = sizes,
+                              .size_unit = series.direction == "dt" ? "us" : "um"};
+    found.used = sizes[series.used];
+    for (const auto& burn : burns) found.values.push_back(measure.of(*burn));
+    const auto limit = reports::extrapolate(sizes, found.values, formal_order);
+    if (std::isnan(limit.value)) {
+        found.verdict = "no change";
+        found.index = 0.0;
+        return found;
+    }
+    found.order = limit.observed;
+    found.extrapolated = limit.value;
+    found.index = limit.safety * std::abs(found.values[series.used] - limit.value);
+    std::vector<reports::Level> differences;
+    for (size_t k = 0; k + 1 < sizes.size(); ++k)
+        differences.push_back({int(k), sizes[k], std::abs(found.values[k] - found.values[k + 1])});
+    const bool swings =
+        (found.values[0] - found.values[1]) * (found.values[1] - found.values[2]) < 0.0;
+    found.verdict = swings                  ? "oscillating"
+                    : limit.observed <= 0.0 ? "diverging"
+                    : limit.safety < 3.0    ? "monotone"
+                                            : "not asymptotic";
+    return found;
+}
+
+}  // namespace
+
+std::vector<Series> all_series(Fidelity fidelity) {
+    const bool draft = fidelity == Fidelity::draft;
+    // The paper's grid is in each; ratios are 3/2 where a halving would take hours.
+    const auto pack_grids = draft ? std::vector<Resolution>{{40, 32, 200 * us, 0.04},
+                                                            {60, 48, 200 * us, 0.04},
+                                                            {90, 72, 200 * us, 0.04}}
+                                  : std::vector<Resolution>{{80, 64, 50 * us, 0.135},
+                                                            {120, 96, 50 * us, 0.135},
+                                                            {180, 144, 50 * us, 0.135}};
+    const auto pack_steps = draft ? with_steps({60, 48, 0, 0.04}, {200 * us, 100 * us, 50 * us})
+                                  : with_steps({120, 96, 0, 0.135}, {100 * us, 50 * us, 25 * us});
+    const auto columns =
+        draft ? std::vector<Resolution>{{16, 48, 80 * us, 0.04},
+                                        {32, 48, 80 * us, 0.04},
+                                        {64, 48, 80 * us, 0.04}}
+              : std::vector<Resolution>{
+                    {32, 96, 20 * us, 0.1}, {64, 96, 20 * us, 0.1}, {128, 96, 20 * us, 0.1}};
+    const auto rows =
+        draft ? std::vector<Resolution>{{32, 24, 80 * us, 0.04},
+                                        {32, 48, 80 * us, 0.04},
+                                        {32, 96, 80 * us, 0.04}}
+              : std::vector<Resolution>{
+                    {64, 48, 20 * us, 0.1}, {64, 96, 20 * us, 0.1}, {64, 192, 20 * us, 0.1}};
+    const auto steps = draft ? with_steps({32, 48, 0, 0.04}, {160 * us, 80 * us, 40 * us})
+                             : with_steps({64, 96, 0, 0.1}, {40 * us, 20 * us, 10 * us});
+    std::vector<Series> all;
+    const auto add = [&](const std::vector<Series>& two) {
+        all.insert(all.end(), two.begin(), two.end());
+    };
+    add(both("pack", "pack.toml", "x and y", pack_grids, 1));
+    add(both("pack", "pack.toml", "dt", pack_steps, 2));
+    add(both("burning sandwich", "sandwich.toml", "x", columns, 1));
+    add(both("burning sandwich", "sandwich.toml", "y", rows, 1));
+    add(both("burning sandwich", "sandwich.toml", "dt", steps, 1));
+    return all;
+}
+
+std::vector<Scene> scenes_of(const Series& series) {
+    std::vector<Scene> scenes;
+    for (const Resolution& resolution : series.resolutions)
+        scenes.push_back(series.scene(resolution));
+    return scenes;
+}
+
+std::vector<reports::Refinement> refinements(const Series& series, const Request& request) {
+    std::vector<double> sizes;
+    std::vector<std::shared_ptr<const Burn>> burns;
+    for (const Scene& scene : scenes_of(series)) {
+        sizes.push_back(size_of(scene, series.direction));
+        burns.push_back(kept_burn(scene, request));
+    }
+    std::vector<reports::Refinement> all;
+    for (const Measure& measure : series.measures)
+        all.push_back(refinement(series, measure, sizes, burns));
+    return all;
+}
+
+std::optional<double> index(const std::vector<reports::Refinement>& refinements,
+                            const std::string& of, const std::string& quantity,
+                            const std::string& direction) {
+    const auto found = std::ranges::find_if(refinements, [&](const auto& r) {
+        return r.of == of && r.quantity == quantity && r.direction == direction;
+    });
+    return found == refinements.end() ? std::nullopt : found->index;
+}
+
+Packs packs(Fidelity fidelity) {
+    if (fidelity == Fidelity::draft) return {{60, 48, 200 * us, 0.04}, {1, 2}};
+    return {{80, 64, 50 * us, 0.135}, {1, 2, 3, 4, 5}};
+}
+
+namespace {
+
+const Subject random_pack("random_pack.toml");
+
+const std::vector<std::string> twice_the_flux = {"surface.heat_flux.AP=400 cal/(s cm2)",
+                                                 "surface.heat_flux.binder=320 cal/(s cm2)"};
+
+std::string seeded(unsigned long seed) {
+    return fmt::format("morphology.seed={}", seed);
+}
+
+std::vector<std::string> with(std::vector<std::string> set, unsigned long seed) {
+    set.push_back(seeded(seed));
+    return set;
+}
+
+/// One number over all seeds; `scene` is of one seed.
+template <class SceneOf>
+reports::Spread spread(const Packs& packs, const std::string& of, const Measure& measure,
+                       const SceneOf& scene, const Request& request) {
+    reports::Spread found{
+        .quantity = of + ": " + measure.what, .unit = measure.unit, .seeds = packs.seeds};
+    for (const unsigned long seed : packs.seeds)
+        found.values.push_back(measure.of(*kept_burn(scene(seed), request)));
+    found.mean = mean(found.values);
+    double squares = 0.0;
+    for (const double value : found.values) squares += std::pow(value - found.mean, 2);
+    found.deviation = std::sqrt(squares / double(found.values.size() - 1));
+    return found;
+}
+
+}  // namespace
+
+std::vector<Scene> scenes_of(const Packs& packs) {
+    std::vector<Scene> scenes;
+    for (const unsigned long seed : packs.seeds) {
+        scenes.push_back(random_pack.coupled(packs.resolution, {seeded(seed)}));
+        scenes.push_back(random_pack.rigid(packs.resolution, {seeded(seed)}));
+        scenes.push_back(random_pack.coupled(packs.resolution, with(twice_the_flux, seed)));
+    }
+    return scenes;
+}
+
+std::vector<reports::Spread> spreads(const Packs& packs, const Request& request) {
+    const auto coupled = [&](unsigned long seed) {
+        return random_pack.coupled(packs.resolution, {seeded(seed)});
+    };
+    const auto rigid = [&](unsigned long seed) {
+        return random_pack.rigid(packs.resolution, {seeded(seed)});
+    };
+    const auto twice = [&](unsigned long seed) {
+        return random_pack.coupled(packs.resolution, with(twice_the_flux, seed));
+    };
+    std::vector<reports::Spread> all;
+    for (const Measure& measure : of_pack) {
+        all.push_back(spread(packs, "pack", measure, coupled, request));
+        all.push_back(spread(packs, "pack, 2Q", measure, twice, request));
+    }
+    for (const Measure& measure : of_rigid_pack)
+        all.push_back(spread(packs, "pack, rigid", measure, rigid, request));
+    return all;
+}
+
+}  // namespace crawford::ledger

@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "cases/catalogue/pack.hpp"
+#include "cases/ledger/refinements.hpp"
+#include "cases/ledger/row.hpp"
+#include "cases/ledger/rows.hpp"
+#include "cases/ledger/subject.hpp"
+
+namespace crawford::ledger {
+
+namespace {
+
+using Rows = std::vector<reports::LedgerRow>;
+
+const std::string as_read = "3 alpha K, c_p; mean of the whole run, ignition and all";
+
+/// Two standard deviations from pack to pack: the paper's own pack is not published.
+std::optional<double> of_packs(const reports::Ledger& found, const std::string& name) {
+    const auto spread = std::ranges::find(found.spreads, name, &reports::Spread::quantity);
+    if (spread == found.spreads.end()) return {};
+    return 2.0 * spread->deviation;
+}
+
+/// `of` is "pack", "pack, rigid" or "pack, 2Q"; what doubles the flux was refined without.
+reports::Uncertainty uncertainty(const reports::Ledger& found, const std::string& of,
+                                 const Measure& measure) {
+    const std::string refined = of == "pack, 2Q" ? "pack" : of;
+    return {.grid = index(found.refinements, refined, measure.what, "x and y"),
+            .step = index(found.refinements, refined, measure.what, "dt"),
+            .packs = of_packs(found, of + ": " + measure.what)};
+}
+
+/// A peak does not converge: only other packs are in its interval.
+reports::Uncertainty uncertainty_of_peak(const reports::Ledger& found, const std::string& of) {
+    return {.packs = of_packs(found, of + ": " + mean_strain.what)};
+}
+
+std::vector<Other> plus(std::vector<Other> others, double offset) {
+    for (Other& other : others) other.value += offset;
+    return others;
+}
+
+std::vector<Other> before(Other first, std::vector<Other> others) {
+    others.insert(others.begin(), std::move(first));
+    return others;
+}
+
+const char* const since = "mean from 20 ms on";
+
+Rows temperatures(const reports::Ledger& found, const reports::ReadingMatrix& matrix,
+                  const Burn& coupled, const Burn& rigid) {
+    constexpr double cold = 300.0;  // [K]
+    const double with = mean_temperature.of(coupled), without = mean_temperature.of(rigid);
+    const double later = course(coupled.time, coupled.largest_temperature).mean;
+    const double rigid_later = course(rigid.time, rigid.largest_temperature).mean;
+    const double change = with - without;
+    return {judged({"mean of the largest temperature, thermal", "Fig. 15a", "fig15", "K", "975.9",
+                    975.9, half_digit("975.9")},
+                   {without,
+                    uncertainty(found, "pack, rigid", mean_temperature),
+                    as_read,
+                    before({since, rigid_later},
+                           plus(others(matrix, "rise of largest T, rigid"), cold)),
+                    {},
+                    "{:.1f}"}),
+            judged({"mean of the largest temperature, thermo-mechanical", "Fig. 15a", "fig15", "K",
+                    "965.4", 965.4, half_digit("965.4")},
+                   {with,
+                    uncertainty(found, "pack", mean_temperature),
+                    as_read,
+                    before({since, later}, plus(others(matrix, "rise of largest T"), cold)),
+                    {},
+                    "{:.1f}"}),
+            judged({"their difference", "Fig. 15a", "fig15", "K", "-10.5", -10.5, 0.1},
+                   {change,
+                    {},
+                    as_read,
+                    {{since, later - rigid_later}},
+                    "Of two runs of one pack on one grid: what they share cancels.",
+                    "{:.1f}"})};
+}
+
+Rows burn_rates(const reports::Ledger& found, const reports::ReadingMatrix& matrix,
+                const Burn& coupled, const Burn& rigid) {
+    const double with = mean_burn_rate_of_all.of(coupled),
+                 without = mean_burn_rate_of_all.of(rigid);
+    const double later = 100.0 * course(coupled.time, coupled.mean_burn_rate).mean;
+    const double rigid_later = 100.0 * course(rigid.time, rigid.mean_burn_rate).mean;
+    return {judged({"mean burn rate, thermal", "Fig. 15b", "fig15", "cm/s", "0.449", 0.449,
+                    half_digit("0.449")},
+                   {without, uncertainty(found, "pack, rigid", mean_burn_rate_of_all), as_read,
+                    before({since, rigid_later}, others(matrix, "burn rate, rigid")),
+                    fmt::format("From 20 ms on {:.4f}.", rigid_later), "{:.4f}"}),
+            judged({"mean burn rate, thermo-mechanical", "Fig. 15b", "fig15", "cm/s", "0.42", 0.42,
+                    half_digit("0.42")},
+                   {with, uncertainty(found, "pack", mean_burn_rate_of_all), as_read,
+                    before({since, later}, others(matrix, "burn rate")),
+                    fmt::format("From 20 ms on {:.4f}.", later), "{:.4f}"}),
+            judged({"change of the burn rate by mechanics", "Fig. 15b", "fig15", "%", "-6.5",
+                    100.0 * (0.42 / 0.449 - 1.0), 100.0 * half_digit("0.42") / 0.449},
+                   {100.0 * (with / without - 1.0),
+                    {},
+                    as_read,
+                    others(matrix, "change of burn rate"),
+                    "With c_v in place of c_p most of it is gone: case model_form.",
+                    "{:.2f}"})};
+}
+
+Rows strains(const reports::Ledger& found, const reports::ReadingMatrix& matrix,
+             const Burn& coupled, const Burn& twice) {
+    const auto about_peak = [](const Burn& burn) {
+        return fmt::format("A peak does not converge with the grid; over 5 um about it {:.3f}.",
+                           mean_strain_about_peak.of(burn));
+    };
+    const double largest = std::ranges::max(twice.largest_strain);
+    return {judged({"mean of the largest strain", "Fig. 16", "fig16", "-", "31.6 %", 0.316, 0.0005},
+                   {mean_strain.of(coupled), uncertainty_of_peak(found, "pack"),
+                    as_read + "; this grid",
+                    before({"mean over 5 um about the peak", mean_strain_about_peak.of(coupled)},
+                           others(matrix, "largest strain")),
+                    about_peak(coupled), "{:.3f}"}),
+            judged({"mean of the largest strain, 2Q", "Fig. 17b", "fig17", "-", "37.24 %", 0.3724,
+                    0.00005},
+                   {mean_strain.of(twice),
+                    uncertainty_of_peak(found, "pack, 2Q"),
+                    as_read + "; this grid",
+                    {{"mean over 5 um about the peak", mean_strain_about_peak.of(twice)}},
+                    about_peak(twice),
+                    "{:.3f}"}),
+            judged({"highest peak of strain, 2Q", "Fig. 17b", "fig17", "-", "as high as 60 %", 0.6,
+                    0.05},
+                   {largest,
+                    {},
+                    "3 alpha K, c_p; this grid",
+                    {},
+                    "A single cell at a single time.",
+                    "{:.3f}"}),
+            judged(Statement{
+                "doubled flux raises the mean strain", "Fig. 17b", "fig17", "31.6 % to 37.24 %",
+                fmt::format("{:.3f} to {:.3f}", mean_strain.of(coupled), mean_strain.of(twice)),
+                as_read, mean_strain.of(twice) > mean_strain.of(coupled),
+                "Two runs of one pack on one grid."})};
+}
+
+reports::LedgerRow place_of_peaks(const Burn& coupled) {
+    int in_binder = 0;
+    const auto snapshots = four_times(coupled);
+    for (const Snapshot& snapshot : snapshots) {
+        const auto& strain = snapshot.strain_norm.values();
+        const auto k = std::ranges::max_element(strain) - strain.begin();
+        if (snapshot.material.values()[size_t(k)] < 0.5) ++in_binder;
+    }
+    return judged(Statement{
+        "peak strains occur in binder between AP particles", "Fig. 13c", "fig13",
+        "in thin binder regions in between AP particles",
+        fmt::format("the peak lies in binder at {} of {} times", in_binder, snapshots.size()),
+        "at the four times of Fig. 13", in_binder == int(snapshots.size()),
+        "By the volume fraction of the cell that holds it."});
+}
+
+}  // namespace
+
+std::vector<Other> others(const reports::ReadingMatrix& matrix, const std::string& quantity) {
+    const auto column = std::ranges::find(matrix.quantities, quantity, &reports::Quantity::name);
+    if (column == matrix.quantities.end())
+        throw std::logic_error(fmt::format("{} has no {}", matrix.title, quantity));
+    const auto k = size_t(column - matrix.quantities.begin());
+    auto runs = matrix.runs;
+    std::ranges::stable_sort(runs, {}, [](const auto& run) { return run.set.size(); });
+    std::vector<Other> others;
+    for (const auto& run : runs)
+        if (!run.set.empty() && std::isfinite(run.values[k]))
+            others.push_back({run.reading + " (" + matrix.grid + ")", run.values[k]});
+    return others;
+}
+
+Rows rows_of_pack(const Request& request, const reports::Ledger& found,
+                  const reports::ReadingMatrix& matrix) {
+    const auto burn = [&](const PackBurning& burning) {
+        return kept_burn(burning_pack(request.fidelity, burning), request);
+    };
+    const auto coupled = burn({}), rigid = burn({.mechanics = false}), twice = burn({.flux = 2.0});
+    Rows rows = temperatures(found, matrix, *coupled, *rigid);
+    const auto add = [&](const Rows& more) { rows.insert(rows.end(), more.begin(), more.end()); };
+    add(burn_rates(found, matrix, *coupled, *rigid));
+    add({judged(
+        {"mean burn rate, 2Q", "Fig. 17a", "fig17", "cm/s", "0.81", 0.81, half_digit("0.81")},
+        {mean_burn_rate_of_all.of(*twice),
+         uncertainty(found, "pack, 2Q", mean_burn_rate_of_all),
+         as_read,
+         {{since, 100.0 * course(twice->time, twice->mean_burn_rate).mean}},
+         {},
+         "{:.4f}"})});
+    add(strains(found, matrix, *coupled, *twice));
+    add({place_of_peaks(*coupled)});
+    return rows;
+}
+
+}  // namespace crawford::ledger
