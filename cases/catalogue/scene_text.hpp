@@ -9,7 +9,7 @@ namespace crawford {
 
 /// "64 × 96, clustering 2"
 std::string grid_text(const Scene& scene);
-/// "20 us, t = 0.1 s"
+/// "20 µs, t = 0.1 s"
 std::string step_text(const Scene& scene);
 
 }  // namespace crawford
