@@ -12,8 +12,6 @@ PACKAGES := build-essential cmake ninja-build \
 TOOLS := clang-format clang-tidy
 
 SOURCES = $(shell git ls-files --cached --others --exclude-standard -- '*.cpp' '*.hpp')
-# A case is one file that bears its name.
-FIGURES = $(basename $(notdir $(wildcard cases/fig*.cpp cases/table*.cpp)))
 
 # $(call install,PACKAGES): those that are missing. The lists of packages are updated only if that fails without.
 define install
@@ -30,7 +28,7 @@ define install
 	fi
 endef
 
-.PHONY: help deps tools build test verify mutants figures bench format check-format tidy clean
+.PHONY: help deps tools build test verify mutants figures ledger bench format check-format tidy clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
@@ -38,7 +36,9 @@ help:
 	@echo 'make test     build, then run the tests of the parts (JUnit XML: build/junit.xml)'
 	@echo 'make mutants  put seeded faults into a copy, one by one, and ask who sees them (hours; FAULTS=names)'
 	@echo 'make build    build/crawford'
-	@echo 'make figures  the figures of the paper, into $(OUT)/ (FIDELITY=draft|paper|fine, now $(FIDELITY))'
+	@echo 'make figures  the figures of the paper and the ledger of its claims, with their pages: read'
+	@echo '              $(OUT)/figures/index.html (FIDELITY=draft|paper|fine, now $(FIDELITY)). What was cut off goes on'
+	@echo 'make ledger   settle the ledger anew: readings, refinements, other packs (hours)'
 	@echo 'make bench    how fast the parts are'
 	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
 	@echo 'make format   put all sources into the one format; make check-format only looks'
@@ -67,7 +67,13 @@ mutants: deps
 	@build/tests/mutants/mutants $(FAULTS)
 
 figures: build
-	build/crawford run $(FIGURES) --fidelity $(FIDELITY) --out $(OUT)
+	@build/crawford run --fidelity $(FIDELITY) --out $(OUT)
+	@build/crawford ledger --out $(OUT)
+
+# What is settled at the paper's fidelity is what the tree keeps.
+ledger: build
+	@build/crawford ledger --settle --fidelity $(FIDELITY) --out $(OUT)
+	@if [ $(FIDELITY) = paper ]; then cp $(OUT)/figures/ledger.json cases/ledger/ledger.json; fi
 
 bench: build
 	@cmake --build --preset release --target bench --parallel $(JOBS)

@@ -8,7 +8,7 @@
 
 namespace crawford {
 
-/// The cases of these names, in the order typed and each once.
+/// The cases of these names, in the order typed and each once; all if there are none.
 /// \throws InputError with the nearest name if one is unknown or cannot be drawn.
 std::vector<const Entry*> choose_cases(const std::vector<std::string>& names);
 

@@ -57,7 +57,8 @@ struct Parser {
 
     void add_run() {
         run_command = app.add_subcommand("run", help::run);
-        run_command->add_option("CASE", run.cases, "Cases to draw (crawford list)")->required();
+        run_command->add_option("CASE", run.cases,
+                                "Cases to draw (crawford list); all if none is named");
         run_command->add_option("--fidelity", run.fidelity, "draft, paper or fine")
             ->type_name("WORD")
             ->capture_default_str();

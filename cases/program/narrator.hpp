@@ -13,8 +13,12 @@ public:
     /// One line, unless quiet.
     void say(const std::string& line);
 
-    /// One line that will soon be out of date: only to a terminal, because in a file it is noise.
+    /// A line that will soon be out of date, and that whatever comes next is written over: only to
+    /// a terminal, because in a file it is noise.
     void glance(const std::string& line);
+
+    /// Wipes that line away; for who writes to stdout.
+    void wipe();
 
 private:
     std::mutex mutex_;

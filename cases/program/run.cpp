@@ -111,7 +111,9 @@ private:
 
     void tell(const Entry& entry, const FigureRecord& record) {
         const std::scoped_lock lock(mutex_);
-        std::cout << fmt::format("{}: {}\n", entry.figure, entry.shows);
+        narrator_.wipe();
+        std::cout << fmt::format("{}: {}\n", entry.figure == "-" ? entry.name : entry.figure,
+                                 entry.shows);
         for (const Finding& finding : record.findings)
             std::cout << fmt::format("  {:<58} {:>12.6g} {}\n", finding.what, finding.value,
                                      finding.unit);

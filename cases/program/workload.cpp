@@ -14,7 +14,7 @@ namespace crawford {
 
 namespace {
 
-constexpr std::chrono::seconds between_lines{5};
+constexpr std::chrono::seconds between_glances{1};
 
 double seconds_between(std::chrono::steady_clock::time_point a,
                        std::chrono::steady_clock::time_point b) {
@@ -70,7 +70,7 @@ void Workload::take_tasks(const std::function<void(const Task&, std::exception_p
 void Workload::progress(const Task& task, double done) {
     const std::scoped_lock lock(mutex_);
     done_[&task] = done;
-    if (Clock::now() - last_told_ < between_lines) return;
+    if (Clock::now() - last_told_ < between_glances) return;
     last_told_ = Clock::now();
     narrator_.glance(fmt::format("{}: {:.0f} %; {}", task.name, 100.0 * done, standing()));
 }
