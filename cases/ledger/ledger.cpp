@@ -12,16 +12,16 @@ namespace {
 
 using namespace units;
 
-/// Readings are compared on a grid of half the paper's cells each way: what they change is far more
-/// than what the grid does, and there are many.
+/// Readings are compared on coarse grids with long steps: what they change is far more than what
+/// those do, and there are many.
 Resolution of_pack_readings(Fidelity fidelity) {
     if (fidelity == Fidelity::draft) return {40, 32, 200 * us, 0.04};
-    return {60, 48, 100 * us, 0.135};
+    return {60, 48, 200 * us, 0.135};
 }
 
 Resolution of_sandwich_readings(Fidelity fidelity) {
     if (fidelity == Fidelity::draft) return {16, 24, 160 * us, 0.04};
-    return {64, 48, 80 * us, 0.1};
+    return {32, 48, 80 * us, 0.1};
 }
 
 }  // namespace

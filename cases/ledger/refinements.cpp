@@ -43,6 +43,24 @@ std::vector<Resolution> with_steps(Resolution base, const std::vector<double>& s
     return all;
 }
 
+std::vector<Resolution> with_columns(Resolution base, const std::vector<int>& columns) {
+    std::vector<Resolution> all;
+    for (const int nx : columns) {
+        base.nx = nx;
+        all.push_back(base);
+    }
+    return all;
+}
+
+std::vector<Resolution> with_rows(Resolution base, const std::vector<int>& rows) {
+    std::vector<Resolution> all;
+    for (const int ny : rows) {
+        base.ny = ny;
+        all.push_back(base);
+    }
+    return all;
+}
+
 std::vector<Series> both(const std::string& of, const std::string& file,
                          const std::string& direction, const std::vector<Resolution>& resolutions,
                          size_t used) {
@@ -90,38 +108,30 @@ reports::Refinement refinement(const Series& series, const Measure& measure,
 
 std::vector<Series> all_series(Fidelity fidelity) {
     const bool draft = fidelity == Fidelity::draft;
-    // The paper's grid is in each; ratios are 3/2 where a halving would take hours.
-    const auto pack_grids = draft ? std::vector<Resolution>{{40, 32, 200 * us, 0.04},
-                                                            {60, 48, 200 * us, 0.04},
-                                                            {90, 72, 200 * us, 0.04}}
-                                  : std::vector<Resolution>{{80, 64, 50 * us, 0.135},
-                                                            {120, 96, 50 * us, 0.135},
-                                                            {180, 144, 50 * us, 0.135}};
-    const auto pack_steps = draft ? with_steps({60, 48, 0, 0.04}, {200 * us, 100 * us, 50 * us})
+    const double until = draft ? 0.04 : 0.1;
+    const auto pack_grids =
+        draft ? std::vector<Resolution>{{40, 32, 200 * us, 0.04},
+                                        {50, 40, 200 * us, 0.04},
+                                        {60, 48, 200 * us, 0.04}}
+              : std::vector<Resolution>{
+                    {60, 48, 50 * us, 0.135}, {90, 72, 50 * us, 0.135}, {120, 96, 50 * us, 0.135}};
+    const auto pack_steps = draft ? with_steps({60, 48, 0, 0.04}, {200 * us, 150 * us, 100 * us})
                                   : with_steps({120, 96, 0, 0.135}, {100 * us, 50 * us, 25 * us});
-    const auto columns =
-        draft ? std::vector<Resolution>{{16, 48, 80 * us, 0.04},
-                                        {32, 48, 80 * us, 0.04},
-                                        {64, 48, 80 * us, 0.04}}
-              : std::vector<Resolution>{
-                    {32, 96, 20 * us, 0.1}, {64, 96, 20 * us, 0.1}, {128, 96, 20 * us, 0.1}};
-    const auto rows =
-        draft ? std::vector<Resolution>{{32, 24, 80 * us, 0.04},
-                                        {32, 48, 80 * us, 0.04},
-                                        {32, 96, 80 * us, 0.04}}
-              : std::vector<Resolution>{
-                    {64, 48, 20 * us, 0.1}, {64, 96, 20 * us, 0.1}, {64, 192, 20 * us, 0.1}};
-    const auto steps = draft ? with_steps({32, 48, 0, 0.04}, {160 * us, 80 * us, 40 * us})
-                             : with_steps({64, 96, 0, 0.1}, {40 * us, 20 * us, 10 * us});
+    const auto columns = with_columns({0, draft ? 48 : 96, draft ? 80 * us : 20 * us, until},
+                                      draft ? std::vector{16, 32, 64} : std::vector{32, 64, 128});
+    const auto rows = with_rows({draft ? 32 : 64, 0, draft ? 80 * us : 20 * us, until},
+                                draft ? std::vector{24, 36, 48} : std::vector{48, 72, 96});
+    const auto steps = draft ? with_steps({32, 48, 0, until}, {160 * us, 80 * us, 40 * us})
+                             : with_steps({64, 96, 0, until}, {80 * us, 40 * us, 20 * us});
     std::vector<Series> all;
     const auto add = [&](const std::vector<Series>& two) {
         all.insert(all.end(), two.begin(), two.end());
     };
-    add(both("pack", "pack.toml", "x and y", pack_grids, 1));
+    add(both("pack", "pack.toml", "x and y", pack_grids, 2));
     add(both("pack", "pack.toml", "dt", pack_steps, 2));
     add(both("burning sandwich", "sandwich.toml", "x", columns, 1));
-    add(both("burning sandwich", "sandwich.toml", "y", rows, 1));
-    add(both("burning sandwich", "sandwich.toml", "dt", steps, 1));
+    add(both("burning sandwich", "sandwich.toml", "y", rows, 2));
+    add(both("burning sandwich", "sandwich.toml", "dt", steps, 2));
     return all;
 }
 
@@ -156,7 +166,7 @@ std::optional<double> index(const std::vector<reports::Refinement>& refinements,
 
 Packs packs(Fidelity fidelity) {
     if (fidelity == Fidelity::draft) return {{60, 48, 200 * us, 0.04}, {1, 2}};
-    return {{80, 64, 50 * us, 0.135}, {1, 2, 3, 4, 5}};
+    return {{80, 64, 100 * us, 0.135}, {1, 2, 3, 4, 5}};
 }
 
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/catalogue/registry.hpp"
-#include "reports/ledger.hpp"
+#include "reports/claim.hpp"
 
 namespace crawford::ledger {
 
@@ -26,7 +26,7 @@ std::vector<reports::LedgerRow> rows_of_pack(const Request& request, const repor
                                              const reports::ReadingMatrix& matrix);
 
 /// What a quantity of a matrix becomes under each other reading, those that change least first.
-struct Other;
-std::vector<Other> others(const reports::ReadingMatrix& matrix, const std::string& quantity);
+std::vector<reports::OtherReading> others(const reports::ReadingMatrix& matrix,
+                                          const std::string& quantity);
 
 }  // namespace crawford::ledger

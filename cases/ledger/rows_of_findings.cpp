@@ -5,7 +5,6 @@
 #include "cases/catalogue/pack.hpp"
 #include "cases/catalogue/sandwich.hpp"
 #include "cases/catalogue/units.hpp"
-#include "cases/ledger/row.hpp"
 #include "cases/ledger/rows.hpp"
 #include "solver/grid/grid.hpp"
 
@@ -13,6 +12,10 @@ namespace crawford::ledger {
 
 namespace {
 
+using reports::half_digit;
+using reports::judged;
+using reports::OtherReading;
+using reports::Statement;
 using namespace units;
 using Rows = std::vector<reports::LedgerRow>;
 
@@ -132,13 +135,13 @@ double mean_of(const Findings& finding, const std::string& entry, const std::str
 const std::string papers_way = "order in the paper's way";
 const std::string unbiased = "order from successive differences";
 
-void add_order(Rows& rows, const Findings& finding, const Claim& claim,
+void add_order(Rows& rows, const Findings& finding, const reports::Claim& claim,
                const std::vector<std::string>& names, const std::string& set,
                const std::string& other_set) {
     const auto order = [&](const std::string& of, const std::string& way) {
         return mean_of(finding, claim.entry, of, names, way);
     };
-    std::vector<Other> others;
+    std::vector<OtherReading> others;
     std::string because = fmt::format("From successive differences {:.2f}", order(set, unbiased));
     if (!other_set.empty()) {
         others.push_back({"B-bar element", order(other_set, papers_way)});
@@ -189,13 +192,14 @@ void add_morphology(Rows& rows, const Findings& finding) {
         discs += finding("fig12", fmt::format("discs of radius {} um", radius));
     rows.push_back(judged({"discs of the pack", "Fig. 12", "fig12", "-", "40", 40.0, 0.0},
                           {discs, exact, "printed diameters are radii", {}, {}, "{:.0f}"}));
-    rows.push_back(judged({"area fraction of AP", "Fig. 12", "fig12", "-", "72 %", 0.72, 0.005},
-                          {finding("fig12", "area fraction of AP"),
-                           exact,
-                           "printed diameters are radii, period 774.4 um",
-                           {},
-                           "As diameters 40 discs cover 19.4 % of the window.",
-                           "{:.3f}"}));
+    rows.push_back(
+        judged({"area fraction of AP", "Fig. 12", "fig12", "%", "72", 72.0, half_digit("72")},
+               {100.0 * finding("fig12", "area fraction of AP"),
+                exact,
+                "printed diameters are radii, period 774.4 um",
+                {},
+                "As diameters 40 discs cover 19.4 % of the window.",
+                "{:.3f}"}));
 }
 
 }  // namespace

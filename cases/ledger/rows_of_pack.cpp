@@ -6,7 +6,6 @@
 
 #include "cases/catalogue/pack.hpp"
 #include "cases/ledger/refinements.hpp"
-#include "cases/ledger/row.hpp"
 #include "cases/ledger/rows.hpp"
 #include "cases/ledger/subject.hpp"
 
@@ -14,6 +13,10 @@ namespace crawford::ledger {
 
 namespace {
 
+using reports::half_digit;
+using reports::judged;
+using reports::OtherReading;
+using reports::Statement;
 using Rows = std::vector<reports::LedgerRow>;
 
 const std::string as_read = "3 alpha K, c_p; mean of the whole run, ignition and all";
@@ -34,17 +37,12 @@ reports::Uncertainty uncertainty(const reports::Ledger& found, const std::string
             .packs = of_packs(found, of + ": " + measure.what)};
 }
 
-/// A peak does not converge: only other packs are in its interval.
-reports::Uncertainty uncertainty_of_peak(const reports::Ledger& found, const std::string& of) {
-    return {.packs = of_packs(found, of + ": " + mean_strain.what)};
-}
-
-std::vector<Other> plus(std::vector<Other> others, double offset) {
-    for (Other& other : others) other.value += offset;
+std::vector<OtherReading> plus(std::vector<OtherReading> others, double offset) {
+    for (OtherReading& other : others) other.value += offset;
     return others;
 }
 
-std::vector<Other> before(Other first, std::vector<Other> others) {
+std::vector<OtherReading> before(OtherReading first, std::vector<OtherReading> others) {
     others.insert(others.begin(), std::move(first));
     return others;
 }
@@ -110,40 +108,58 @@ Rows burn_rates(const reports::Ledger& found, const reports::ReadingMatrix& matr
                     "{:.2f}"})};
 }
 
+/// Strains are printed in per cent.
+double percent(double strain) {
+    return 100.0 * strain;
+}
+
+std::vector<OtherReading> percent(std::vector<OtherReading> others) {
+    for (OtherReading& other : others) other.value = percent(other.value);
+    return others;
+}
+
+/// A peak does not converge: only other packs are in its interval.
+reports::Uncertainty uncertainty_of_peak(const reports::Ledger& found, const std::string& of) {
+    auto packs = of_packs(found, of + ": " + mean_strain.what);
+    if (packs) packs = percent(*packs);
+    return {.packs = packs};
+}
+
+reports::LedgerRow mean_peak(const reports::Claim& claim, const Burn& burn,
+                             const reports::Uncertainty& uncertainty,
+                             const std::vector<OtherReading>& others) {
+    const double about_peak = percent(mean_strain_about_peak.of(burn));
+    return judged(claim, {percent(mean_strain.of(burn)), uncertainty, as_read + "; this grid",
+                          before({"the mean over 5 um about the peak", about_peak}, others),
+                          fmt::format("A peak does not converge with the grid; over 5 um about it "
+                                      "{:.1f} %.",
+                                      about_peak),
+                          "{:.1f}"});
+}
+
 Rows strains(const reports::Ledger& found, const reports::ReadingMatrix& matrix,
              const Burn& coupled, const Burn& twice) {
-    const auto about_peak = [](const Burn& burn) {
-        return fmt::format("A peak does not converge with the grid; over 5 um about it {:.3f}.",
-                           mean_strain_about_peak.of(burn));
-    };
-    const double largest = std::ranges::max(twice.largest_strain);
-    return {judged({"mean of the largest strain", "Fig. 16", "fig16", "-", "31.6 %", 0.316, 0.0005},
-                   {mean_strain.of(coupled), uncertainty_of_peak(found, "pack"),
-                    as_read + "; this grid",
-                    before({"mean over 5 um about the peak", mean_strain_about_peak.of(coupled)},
-                           others(matrix, "largest strain")),
-                    about_peak(coupled), "{:.3f}"}),
-            judged({"mean of the largest strain, 2Q", "Fig. 17b", "fig17", "-", "37.24 %", 0.3724,
-                    0.00005},
-                   {mean_strain.of(twice),
-                    uncertainty_of_peak(found, "pack, 2Q"),
-                    as_read + "; this grid",
-                    {{"mean over 5 um about the peak", mean_strain_about_peak.of(twice)}},
-                    about_peak(twice),
-                    "{:.3f}"}),
-            judged({"highest peak of strain, 2Q", "Fig. 17b", "fig17", "-", "as high as 60 %", 0.6,
-                    0.05},
-                   {largest,
-                    {},
-                    "3 alpha K, c_p; this grid",
-                    {},
-                    "A single cell at a single time.",
-                    "{:.3f}"}),
-            judged(Statement{
-                "doubled flux raises the mean strain", "Fig. 17b", "fig17", "31.6 % to 37.24 %",
-                fmt::format("{:.3f} to {:.3f}", mean_strain.of(coupled), mean_strain.of(twice)),
-                as_read, mean_strain.of(twice) > mean_strain.of(coupled),
-                "Two runs of one pack on one grid."})};
+    return {
+        mean_peak({"mean of the largest strain", "Fig. 16", "fig16", "%", "31.6", 31.6,
+                   half_digit("31.6")},
+                  coupled, uncertainty_of_peak(found, "pack"),
+                  percent(others(matrix, "largest strain"))),
+        mean_peak({"mean of the largest strain, 2Q", "Fig. 17b", "fig17", "%", "37.24", 37.24,
+                   half_digit("37.24")},
+                  twice, uncertainty_of_peak(found, "pack, 2Q"), {}),
+        judged({"highest peak of strain, 2Q", "Fig. 17b", "fig17", "%", "as high as 60", 60.0, 5.0},
+               {percent(std::ranges::max(twice.largest_strain)),
+                {},
+                "3 alpha K, c_p; this grid",
+                {},
+                "A single cell at a single time.",
+                "{:.0f}"}),
+        judged(Statement{"doubled flux raises the mean of the largest strain", "Fig. 17b", "fig17",
+                         "31.6 % to 37.24 %",
+                         fmt::format("{:.1f} % to {:.1f} %", percent(mean_strain.of(coupled)),
+                                     percent(mean_strain.of(twice))),
+                         as_read, mean_strain.of(twice) > mean_strain.of(coupled),
+                         "Two runs of one pack on one grid."})};
 }
 
 reports::LedgerRow place_of_peaks(const Burn& coupled) {
@@ -164,14 +180,15 @@ reports::LedgerRow place_of_peaks(const Burn& coupled) {
 
 }  // namespace
 
-std::vector<Other> others(const reports::ReadingMatrix& matrix, const std::string& quantity) {
+std::vector<reports::OtherReading> others(const reports::ReadingMatrix& matrix,
+                                          const std::string& quantity) {
     const auto column = std::ranges::find(matrix.quantities, quantity, &reports::Quantity::name);
     if (column == matrix.quantities.end())
         throw std::logic_error(fmt::format("{} has no {}", matrix.title, quantity));
     const auto k = size_t(column - matrix.quantities.begin());
     auto runs = matrix.runs;
     std::ranges::stable_sort(runs, {}, [](const auto& run) { return run.set.size(); });
-    std::vector<Other> others;
+    std::vector<OtherReading> others;
     for (const auto& run : runs)
         if (!run.set.empty() && std::isfinite(run.values[k]))
             others.push_back({run.reading + " (" + matrix.grid + ")", run.values[k]});

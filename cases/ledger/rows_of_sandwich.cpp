@@ -5,7 +5,6 @@
 #include "cases/catalogue/sandwich.hpp"
 #include "cases/catalogue/units.hpp"
 #include "cases/ledger/refinements.hpp"
-#include "cases/ledger/row.hpp"
 #include "cases/ledger/rows.hpp"
 #include "cases/ledger/subject.hpp"
 
@@ -13,6 +12,9 @@ namespace crawford::ledger {
 
 namespace {
 
+using reports::judged;
+using reports::OtherReading;
+using reports::Statement;
 using namespace units;
 using Rows = std::vector<reports::LedgerRow>;
 
@@ -44,16 +46,18 @@ double deviator(const Snapshot& snapshot, bool first) {
 }
 
 reports::LedgerRow strain(const Burn& burn, const reports::ReadingMatrix& matrix) {
+    auto in_percent = others(matrix, "largest strain");
+    for (OtherReading& other : in_percent) other.value *= 100.0;
     return judged(
-        {"largest strain of the sandwich", "Fig. 7c", "fig07", "-", "as high as 50 %", 0.5, 0.05},
-        {last_strain.of(burn),
+        {"largest strain of the sandwich", "Fig. 7c", "fig07", "%", "as high as 50", 50.0, 5.0},
+        {100.0 * last_strain.of(burn),
          {},
-         as_read + ", this grid",
-         others(matrix, "largest strain"),
-         fmt::format("A peak beside a singular corner grows with every refinement and has "
-                     "no uncertainty; its mean over 5 um is {:.3f}.",
-                     last_strain_about_peak.of(burn)),
-         "{:.3f}"});
+         as_read + "; this grid",
+         in_percent,
+         fmt::format("A peak beside a singular corner grows with every refinement and has no "
+                     "uncertainty; its mean over 5 um is {:.1f} %.",
+                     100.0 * last_strain_about_peak.of(burn)),
+         "{:.1f}"});
 }
 
 reports::LedgerRow stress_in_AP(const Burn& burn) {
@@ -87,7 +91,7 @@ reports::LedgerRow slowing(const Burn& coupled, const Burn& rigid,
                            const reports::ReadingMatrix& matrix) {
     const double change = 100.0 * (last_burn_rate.of(coupled) / last_burn_rate.of(rigid) - 1.0);
     double with_c_v = 0.0;
-    for (const Other& other : others(matrix, "change of burn rate"))
+    for (const OtherReading& other : others(matrix, "change of burn rate"))
         if (other.reading.starts_with("c_v (")) with_c_v = other.value;
     return judged(Statement{"mechanics slows the burning of the sandwich", "Fig. 10b", "fig10",
                             "causes a drop in the propellant burn rate",

@@ -46,28 +46,32 @@ Html by_figure(const FigureBook& book) {
     return element("section", {{"id", "by-figure"}}, text) + "\n";
 }
 
-Html items_under(const FigureBook& book, const std::string& heading) {
+Html figures_under(const FigureBook& book, const std::string& heading) {
     Html items;
     for (const auto& drawn : book.cases)
         if (is_under(drawn.physics, heading))
             items += element("li", {},
                              link_to(drawn.name + ".html", label(drawn)) + " " +
                                  styled("span", "facts", drawn.shows));
+    return items.empty() ? items : element("ul", {}, items);
+}
+
+Html studies_under(const FigureBook& book, const std::string& heading) {
+    Html names;
     for (const auto& study : book.studies)
         if (is_under(study.physics, heading))
-            items += element("li", {},
-                             "study " + link_to(study.address, study.name) + " " +
-                                 styled("span", "facts", study.shows));
-    return items;
+            names += (names.empty() ? "studies " : " \u00b7 ") +
+                     element("span", {{"title", study.shows}}, link_to(study.address, study.name));
+    return names.empty() ? names : styled("p", "facts", names);
 }
 
 Html by_physics(const FigureBook& book) {
     Html sections;
     for (const auto& heading : book.physics) {
-        const Html items = items_under(book, heading);
-        if (items.empty()) continue;
+        const Html content = figures_under(book, heading) + studies_under(book, heading);
+        if (content.empty()) continue;
         sections += element("section", {{"id", anchor_of_physics(heading)}},
-                            element("h3", {}, heading) + element("ul", {}, items)) +
+                            element("h3", {}, heading) + content) +
                     "\n";
     }
     return element("section", {{"id", "by-physics"}},

@@ -88,10 +88,11 @@ img, video { max-width: 100%; height: auto; background: #ffffff; }
   grid-template-columns: repeat(auto-fit, minmax(min(30rem, 100%), 1fr)); }
 .gallery td { vertical-align: middle; }
 .thumbnail { width: 9rem; max-height: 7rem; object-fit: contain; display: block; }
+main > ul { max-width: 48rem; }
 .columns { columns: 24rem; column-gap: 2rem; }
-.columns section { break-inside: avoid; }
-.columns h3 { margin-top: .6rem; }
-.columns ul { margin: .2rem 0 .8rem; padding-left: 1.1rem; }
+.columns section { break-inside: avoid; padding-bottom: 1.2rem; }
+.columns h3 { margin-top: 0; }
+.columns ul { margin: .2rem 0; padding-left: 1.1rem; }
 summary { cursor: pointer; }
 .grounds tr, .ledger tr { border-bottom: 1px solid var(--line); }
 .grounds .count, .grounds td + td { font-variant-numeric: tabular-nums; }

@@ -1,4 +1,3 @@
-/// From a claim of the paper and a number of ours to a row with a verdict.
 #pragma once
 
 #include <string>
@@ -6,7 +5,8 @@
 
 #include "reports/ledger.hpp"
 
-namespace crawford::ledger {
+/// From a claim of the paper and a number of ours to a row of the ledger with its verdict.
+namespace crawford::reports {
 
 /// What the paper states.
 struct Claim {
@@ -21,7 +21,7 @@ struct Claim {
 };
 
 /// A number under another reading.
-struct Other {
+struct OtherReading {
     std::string reading;
     double value;
 };
@@ -29,16 +29,17 @@ struct Other {
 /// What we found.
 struct Found {
     double value;
-    reports::Uncertainty uncertainty;
-    std::string reading;             ///< under which
-    std::vector<Other> others = {};  ///< nearest to our reading first
-    std::string because = {};        ///< why it differs, if it does; else what else to know
-    std::string format = "{:.4g}";   ///< of the value
+    Uncertainty uncertainty;
+    std::string reading;                    ///< under which
+    std::vector<OtherReading> others = {};  ///< nearest to our reading first
+    std::string because = {};               ///< why it differs, if it does; else what else to know
+    std::string format = "{:.4g}";          ///< of the value
 };
 
 /// Reproduced if the two numbers lie no further apart than our uncertainty and what printing leaves
 /// open together; under another reading, if that holds for one of the others.
-reports::LedgerRow judged(const Claim& claim, const Found& found);
+/// \throws std::invalid_argument if ours is no number: a ledger has no empty row.
+LedgerRow judged(const Claim& claim, const Found& found);
 
 /// A claim in words that we can only hold or not.
 struct Statement {
@@ -48,9 +49,9 @@ struct Statement {
     bool holds;
     std::string because;
 };
-reports::LedgerRow judged(const Statement& statement);
+LedgerRow judged(const Statement& statement);
 
 /// Half a unit of the last digit of a printed number: "0.42" is open by 0.005.
 double half_digit(const std::string& printed);
 
-}  // namespace crawford::ledger
+}  // namespace crawford::reports
