@@ -44,7 +44,7 @@ set xlabel 'x / µm'
 set ylabel 'y / µm'
 eval heading('a', 'hat function ψ_{i,j} and its cells')
 @small_print
-set label 6 '(i, j)' at node_x(5), node_y(5) left offset 0.8,0.8 front tc rgb 'black'
+set label 6 '(i, j)' at node_x(5), node_y(5) right offset -0.5,-1.0 front tc rgb 'black'
 do for [r = 0:1] { do for [c = 1:2] {
     k = 3 * r + c
     set label 1 + 2 * r + c sprintf('S_%d', 2 * r + c) at \

@@ -16,7 +16,7 @@ drawn = "\
 stats data_small_strain using (times * column(difference_name)) name 'K' nooutput; \
 stats solver using (times * column(difference_name)) name 'S' nooutput; \
 set multiplot; \
-set tmargin at screen 0.87; set bmargin at screen 0.44; set key on; \
+set tmargin at screen 0.84; set bmargin at screen 0.44; set key on; \
 set format x ''; unset xlabel; set ylabel symbol . unit; set ytics autofreq; \
 plot data_exact using 'depth [um]':column_name with lines ls 2 title 'exact', \
      data_small_strain using 'depth [um]':column_name with lines ls 3 title 'Kuznetsov-Stewart', \

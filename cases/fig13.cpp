@@ -17,6 +17,7 @@
 
 #include "cases/catalogue/pack.hpp"
 #include "cases/catalogue/pack_maps.hpp"
+#include "cases/catalogue/pack_movie.hpp"
 #include "cases/catalogue/registry.hpp"
 #include "cases/catalogue/sandwich_measures.hpp"
 #include "cases/catalogue/scene_text.hpp"
@@ -95,7 +96,9 @@ const Registered here{{.name = "fig13",
                                    physics::coupling, physics::reference_map, physics::pack},
                        .cost = {.draft = 15.0, .paper = 700.0},
                        .draw = fig13,
-                       .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; }}};
+                       .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; },
+                       .draw_movie = pack_movie,
+                       .movie_burns = [](Fidelity f) { return std::vector{filmed_pack(f)}; }}};
 
 }  // namespace
 

@@ -27,7 +27,7 @@ using namespace units;
 constexpr double shown_below_surface = 70 * um;
 constexpr double above_surface = 5 * um;
 constexpr double map_width = 540.0;  // [points]
-constexpr double left = 80.0, right = 120.0, foot = 90.0, head = 45.0;
+constexpr double left = 80.0, right = 145.0, foot = 90.0, head = 45.0;
 
 Outcome fig14(const Request& request) {
     const Scene scene = burning_pack(request.fidelity);

@@ -20,7 +20,7 @@ using namespace units;
 constexpr double frame_interval = 1.0 * ms;
 constexpr double below_surface = 100 * um;  // what is shown below the lowest point of all
 constexpr double map_width = 200.0;         // [points]
-constexpr double left = 70.0, pitch = 300.0, foot = 80.0, head = 60.0;
+constexpr double left = 95.0, pitch = 300.0, foot = 80.0, head = 60.0;
 
 void add_frame(reports::Figure& figure, const Scene& scene, const Snapshot& snapshot, int number,
                double bottom) {
@@ -52,7 +52,7 @@ Outcome pack_movie(const Request& request) {
         add_frame(outcome.figure, scene, burn->at(k * frame_interval), k, bottom);
 
     const double height = map_width * -bottom / scene.domain.width;
-    const double whole_width = left + 2.0 * pitch, whole_height = head + height + foot;
+    const double whole_width = left + 2.0 * pitch + 15.0, whole_height = head + height + foot;
     outcome.figure.set("frames", double(frames))
         .set("bottom", bottom / um)
         .set("width", scene.domain.width / um)

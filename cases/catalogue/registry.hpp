@@ -60,6 +60,9 @@ struct Entry {
     /// The scenes whose burns `draw` will ask for (burn_store.hpp), so that they can be made side
     /// by side before.
     std::function<std::vector<Scene>(Fidelity)> burns = {};
+    /// Draws <case>.gif instead, for `crawford run --movie`; and the burns that it will ask for.
+    std::function<Outcome(const Request&)> draw_movie = {};
+    std::function<std::vector<Scene>(Fidelity)> movie_burns = {};
     std::function<std::vector<reports::Study>()> studies = {};
     std::filesystem::path source = {};  ///< "cases/<file>.cpp"; filled in when it registers
 };

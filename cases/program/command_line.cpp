@@ -65,6 +65,8 @@ struct Parser {
         add_out(run_command, run.out, "out")->capture_default_str();
         run_command->add_flag("--again", run.again,
                               "Draw also what is up to date (burns are kept)");
+        run_command->add_flag("--movie", run.movie,
+                              "Draw the movie of a case, DIR/figures/CASE.gif (fig13 has one)");
         add_quiet(run_command, run.quiet);
         run_command->footer(help::run_examples);
     }

@@ -25,6 +25,7 @@ struct RunOptions {
     std::string fidelity = "paper";
     std::filesystem::path out = "out";
     bool again = false;  ///< draw also what is up to date
+    bool movie = false;  ///< the movies of the cases
     bool quiet = false;
 };
 

@@ -24,7 +24,8 @@ draft takes seconds and is to look at, paper has the grid and step of the paper,
 
 Examples:
   crawford run fig03 fig04
-  crawford run fig07 fig10 fig11 --fidelity draft --out out/draft)";
+  crawford run fig07 fig10 fig11 --fidelity draft --out out/draft
+  crawford run fig13 --movie                      the pack burns down, as a GIF)";
 
 inline constexpr auto ledger = "Set the claims of the paper beside what is found here";
 

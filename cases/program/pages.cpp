@@ -10,6 +10,7 @@
 #include "cases/catalogue/physics.hpp"
 #include "cases/program/choose.hpp"
 #include "cases/program/figure_record.hpp"
+#include "cases/program/movie.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/figure.hpp"
 #include "reports/page/figures.hpp"
@@ -68,6 +69,8 @@ std::optional<page::DrawnCase> drawn(const Entry& entry, const fs::path& out) {
                           .data = names(record->data),
                           .scenes = record->scenes,
                           .manifest = rest_of_manifest(out / "figures", entry.name)};
+    if (const auto movie = read_figure_record(out / "figures", movie_name(entry)))
+        for (const std::string& name : names(movie->pictures)) drawn.pictures.push_back(name);
     for (const Finding& finding : record->findings)
         drawn.findings.push_back({finding.what, finding.value, finding.unit});
     return drawn;

@@ -13,6 +13,7 @@
 #include "cases/program/commands.hpp"
 #include "cases/program/failure.hpp"
 #include "cases/program/figure_record.hpp"
+#include "cases/program/movie.hpp"
 #include "cases/program/narrator.hpp"
 #include "cases/program/pages.hpp"
 #include "cases/program/provenance.hpp"
@@ -40,7 +41,12 @@ public:
           command_(command),
           fidelity_(fidelity_of(options.fidelity)),
           narrator_(options.quiet) {
-        for (const Entry* entry : choose_cases(options.cases)) chosen_.push_back(entry);
+        if (options.movie) {
+            movies_ = choose_movies(options.cases);
+            for (const Entry& movie : movies_) chosen_.push_back(&movie);
+        } else {
+            chosen_ = choose_cases(options.cases);
+        }
         prepare_directory(figures());
     }
 
@@ -130,6 +136,7 @@ private:
     const CommandLine& command_;
     Fidelity fidelity_;
     Narrator narrator_;
+    std::vector<Entry> movies_;
     std::vector<const Entry*> chosen_;
     std::mutex mutex_;
     int worst_ = exit_code::done;
