@@ -34,7 +34,7 @@ no_texts = "unset label 100; unset label 101"
 @small_print
 
 # `eval heading('a', 'temperature')`: letter and title of a panel, in its upper left corner.
-heading(letter, title) = sprintf('set label 101 "%s%s" at graph 0, screen 0.955 left', \
+heading(letter, title) = sprintf('set label 101 "%s%s" at graph 0, screen 1 left offset 0, character -1.5', \
     letter eq '' ? '' : '{/:Bold ' . letter . '}   ', title)
 
 # Maps, in @viridis or `eval diverging(...)`: `eval map_place(left, right, bottom, top)` says where in the panel, in fractions
