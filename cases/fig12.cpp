@@ -145,7 +145,7 @@ Outcome fig12(const Request& request) {
 const Registered here{{.name = "fig12",
                        .figure = "Fig. 12",
                        .shows = "the random pack, and as the grid sees it",
-                       .physics = {physics::materials, physics::pack},
+                       .physics = {physics::morphology, physics::pack},
                        .cost = {.draft = 0.5, .paper = 0.8},
                        .draw = fig12}};
 

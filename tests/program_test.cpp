@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/ledger.hpp"
 #include "reports/process.hpp"
 
 namespace crawford {
@@ -86,7 +87,7 @@ TEST_F(Program, NamesTheRightCommandOptionOrCase) {
                    "unknown option --fidelty; did you mean --fidelity?");
     expect_refused({"run", "fig03", "--fidelty=draft"}, "did you mean --fidelity?");
     expect_refused({"run", "fig03", "--fidelity", "drft"}, "did you mean draft?");
-    expect_refused({"run"}, "CASE is required; see crawford run --help");
+    expect_refused({"run"}, "no case is named; crawford list shows them, --all draws them all");
     expect_refused({"run", "fig3"}, "no case is called fig3; did you mean fig03?");
     expect_refused({"run", "slab"}, "slab is no case; use crawford verify slab");
     expect_refused({"verify", "slb"}, "no study is called slb; did you mean slab?");
@@ -212,22 +213,61 @@ TEST_F(Program, LeavesAQuickLookUngatedAndSaysSo) {
         EXPECT_EQ(gate.at("verdict"), "too few grids to gate");
 }
 
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
 TEST_F(Program, RebuildsTheReportFromItsResults) {
-    expect_refused({"report", "--out", out()}, "verify.json cannot be read; crawford verify --out");
-    crawford({"verify", one, "--grids", "16,32", "--quiet", "--out", out()});
-    const auto page = out_ / "report.html";
-    const auto text = [&] {
-        std::ostringstream html;
-        html << std::ifstream(page).rdbuf();
-        return html.str();
-    };
-    const auto written = text();
+    expect_refused({"report", "--out", out()}, "holds no results: no figures, no verify/verify");
+    const auto studies = out_ / "verify";
+    crawford({"verify", one, "--grids", "16,32", "--quiet", "--out", studies.string()});
+    const auto page = studies / "report.html";
+    const auto written = text_of(page);
     EXPECT_THAT(written, HasSubstr("how exact is the solver"));  // the page of cases/slab.cpp
-    fs::remove(page);
+    for (const auto& directory : {out_, studies}) {
+        fs::remove(page);
+        const Finished report = crawford({"report", "--out", directory.string()});
+        EXPECT_EQ(report.status, 0) << report.output;
+        EXPECT_THAT(report.output, HasSubstr("report.html"));
+        EXPECT_EQ(text_of(page), written);
+    }
+    std::ofstream(studies / "verify.json") << "half a fi";
+    expect_refused({"report", "--out", out()}, "writes it anew");
+}
+
+TEST_F(Program, MakesPagesOfWhatWasDrawn) {
+    crawford({"run", "fig01", "table1", "--fidelity", "draft", "--quiet", "--out", out()});
+    const auto figures = out_ / "figures";
+    for (const char* name : {"fig01.html", "table1.html", "index.html"}) fs::remove(figures / name);
+    reports::Ledger ledger;
+    ledger.manifest = {{"revision", "abc"}};
+    ledger.rows = {{.claim = "wave speed", .where = "Table 1", .entry = "table1"}};
+    reports::write(figures / "ledger.json", ledger);
+    crawford({"verify", one, "--grids", "16,32", "--quiet", "--out", (out_ / "verify").string()});
+    EXPECT_THAT(text_of(out_ / "verify" / "report.html"), Not(HasSubstr("index.html")));
+
     const Finished report = crawford({"report", "--out", out()});
     EXPECT_EQ(report.status, 0) << report.output;
-    EXPECT_THAT(report.output, HasSubstr("report.html"));
-    EXPECT_EQ(text(), written);
+    EXPECT_THAT(report.output, HasSubstr("figures/index.html"));
+    const auto page = text_of(figures / "table1.html");
+    EXPECT_THAT(page, HasSubstr("<h1>Table 1: the properties"));  // the page of cases/table1.cpp
+    EXPECT_THAT(page, HasSubstr("<img src=\"table1.svg\""));
+    EXPECT_THAT(page, HasSubstr("href=\"table1_properties.csv\""));
+    EXPECT_THAT(page, HasSubstr("build/crawford run table1 --fidelity draft --out " + out()));
+    EXPECT_THAT(page, HasSubstr("href=\"ledger.html#claim-Table-1-wave-speed\""));
+    EXPECT_THAT(text_of(figures / "ledger.html"), HasSubstr("href=\"table1.html\""));
+    const auto index = text_of(figures / "index.html");
+    EXPECT_THAT(index, HasSubstr("href=\"../verify/report.html#entry-slab\""));
+    EXPECT_THAT(index, HasSubstr("<h3>material properties</h3>"));
+    EXPECT_THAT(index, HasSubstr("Not drawn: <code>build/crawford run fig02"));
+    EXPECT_THAT(index, Not(HasSubstr("#entry-surface\""))) << "that study has not run";
+    EXPECT_THAT(text_of(out_ / "verify" / "report.html"),
+                HasSubstr("href=\"../figures/index.html\""));
+
+    std::ofstream(figures / "ledger.json") << "{}";
+    expect_refused({"report", "--out", out()}, "ledger.json: manifest is missing");
 }
 
 TEST_F(Program, SaysWithCodeOneThatAGateFellShort) {

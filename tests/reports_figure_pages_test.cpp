@@ -227,7 +227,9 @@ TEST(FigureIndex, ListsFiguresByNumberAndFiguresWithStudiesByPhysics) {
     for (const char* part :
          {"<img src=\"fig07a.png\"", "<td>maps of T &amp; p</td><td>draft</td>", "8.0 s",
           "<a href=\"model.html\">model</a>", "Not drawn: <code>build/crawford run fig08</code>",
-          "1 of 2 claims", "<h3>heat</h3>", "study <a href=\"../verify/report.html#entry-slab\">",
+          "1 of 2 claims", "<h3>heat</h3>",
+          "studies <span title=\"against the exact slab\"><a "
+          "href=\"../verify/report.html#entry-slab\">",
           "href=\"../verify/report.html\">verification"})
         EXPECT_THAT(html, HasSubstr(part));
     EXPECT_THAT(html, Not(HasSubstr("<h3>time step"))) << "nothing is there";

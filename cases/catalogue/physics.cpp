@@ -43,7 +43,7 @@ constexpr std::array<Pair, term::all.size()> headings{{
     {term::clustering, grid},
     {term::slope, grid},
     {term::grid_motion, grid},
-    {term::moving_morphology, materials},
+    {term::moving_morphology, morphology},
     {term::time_step, time},
 }};
 

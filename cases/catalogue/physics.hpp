@@ -17,15 +17,16 @@ inline constexpr auto burning = "burning surface";
 inline constexpr auto stress = "stress and projection";
 inline constexpr auto coupling = "thermo-mechanical coupling";
 inline constexpr auto reference_map = "reference map and strain";
-inline constexpr auto materials = "materials and morphology";
+inline constexpr auto materials = "material properties";
+inline constexpr auto morphology = "morphology";
 inline constexpr auto grid = "grid";
 inline constexpr auto time = "time step";
 inline constexpr auto slab = "homogeneous slab";
 inline constexpr auto sandwich = "sandwich";
 inline constexpr auto pack = "random pack";
 
-inline constexpr std::array all{heat, burning, stress, coupling, reference_map, materials,
-                                grid, time,    slab,   sandwich, pack};
+inline constexpr std::array all{heat,       burning, stress, coupling, reference_map, materials,
+                                morphology, grid,    time,   slab,     sandwich,      pack};
 
 /// The heading that a term of the equations (terms.hpp) comes under.
 /// \throws std::invalid_argument if it is no term of the model.
