@@ -67,7 +67,7 @@ mutants: deps
 	@build/tests/mutants/mutants $(FAULTS)
 
 figures: build
-	@build/crawford run --fidelity $(FIDELITY) --out $(OUT)
+	@build/crawford run --all --fidelity $(FIDELITY) --out $(OUT)
 	@build/crawford ledger --out $(OUT)
 
 # What is settled at the paper's fidelity is what the tree keeps.

@@ -61,10 +61,15 @@ std::vector<ChosenStudy> all_studies() {
 
 }  // namespace
 
+std::vector<const Entry*> all_cases() {
+    std::vector<const Entry*> all;
+    for (const Entry& entry : catalogue())
+        if (entry.draw) all.push_back(&entry);
+    return all;
+}
+
 std::vector<const Entry*> choose_cases(const std::vector<std::string>& names) {
     std::vector<const Entry*> chosen;
-    for (const Entry& entry : catalogue())
-        if (names.empty() && entry.draw) chosen.push_back(&entry);
     for (const std::string& name : names) {
         const Entry* entry = case_of(name);
         if (std::ranges::find(chosen, entry) == chosen.end()) chosen.push_back(entry);

@@ -8,9 +8,12 @@
 
 namespace crawford {
 
-/// The cases of these names, in the order typed and each once; all if there are none.
+/// The cases of these names, in the order typed and each once.
 /// \throws InputError with the nearest name if one is unknown or cannot be drawn.
 std::vector<const Entry*> choose_cases(const std::vector<std::string>& names);
+
+/// Every case that can be drawn.
+std::vector<const Entry*> all_cases();
 
 /// A study and the entry of the catalogue that it belongs to.
 struct ChosenStudy {

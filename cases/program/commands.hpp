@@ -21,7 +21,8 @@ inline constexpr int numbers_failed = 3;
 using CommandLine = std::vector<std::string>;  ///< as typed, for manifests
 
 struct RunOptions {
-    std::vector<std::string> cases;  ///< all if empty
+    std::vector<std::string> cases;
+    bool all = false;  ///< every case, whatever is named
     std::string fidelity = "paper";
     std::filesystem::path out = "out";
     bool again = false;  ///< draw also what is up to date

@@ -18,6 +18,7 @@
 #include "cases/program/pages.hpp"
 #include "cases/program/provenance.hpp"
 #include "cases/program/workload.hpp"
+#include "solver/errors.hpp"
 #include "solver/output/atomic_file.hpp"
 #include "solver/scene/write_scene.hpp"
 
@@ -45,8 +46,10 @@ public:
             movies_ = choose_movies(options.cases);
             for (const Entry& movie : movies_) chosen_.push_back(&movie);
         } else {
-            chosen_ = choose_cases(options.cases);
+            chosen_ = options.all ? all_cases() : choose_cases(options.cases);
         }
+        if (chosen_.empty())
+            throw InputError("no case is named; crawford list shows them, --all draws them all");
         prepare_directory(figures());
     }
 
