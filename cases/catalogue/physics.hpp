@@ -28,8 +28,8 @@ inline constexpr auto pack = "random pack";
 inline constexpr std::array all{heat,       burning, stress, coupling, reference_map, materials,
                                 morphology, grid,    time,   slab,     sandwich,      pack};
 
-/// The heading that a term of the equations (terms.hpp) comes under.
-/// \throws std::invalid_argument if it is no term of the model.
+/// The heading that a term of the equations (terms.hpp) comes under; empty if it is no term of the
+/// model, which the coverage matrix tells.
 std::string_view of_term(std::string_view term);
 
 }  // namespace physics

@@ -87,7 +87,7 @@ img, video { max-width: 100%; height: auto; background: #ffffff; }
 .several { display: grid; gap: 1rem;
   grid-template-columns: repeat(auto-fit, minmax(min(30rem, 100%), 1fr)); }
 .gallery td { vertical-align: middle; }
-.thumbnail { width: 9rem; max-height: 7rem; object-fit: contain; display: block; }
+.thumbnail { width: 9rem; max-width: none; max-height: 7rem; object-fit: contain; display: block; }
 main > ul { max-width: 48rem; }
 .columns { columns: 24rem; column-gap: 2rem; }
 .columns section { break-inside: avoid; padding-bottom: 1.2rem; }
