@@ -39,7 +39,7 @@ set cblabel 'ψ'
 @colours_hat
 splot data_hat using 1:2:3 with pm3d
 @map_frame
-set xtics w / 2 format '%.1f'
+set xtics w / 2 format '%.5g'
 set xlabel 'x / µm'
 set ylabel 'y / µm'
 eval heading('a', 'hat function ψ_{i,j} and its cells')
