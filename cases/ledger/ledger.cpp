@@ -16,7 +16,7 @@ using namespace units;
 /// those do, and there are many.
 Resolution of_pack_readings(Fidelity fidelity) {
     if (fidelity == Fidelity::draft) return {40, 32, 200 * us, 0.04};
-    return {60, 48, 200 * us, 0.135};
+    return {60, 48, 100 * us, 0.135};
 }
 
 Resolution of_sandwich_readings(Fidelity fidelity) {

@@ -110,13 +110,13 @@ std::vector<Series> all_series(Fidelity fidelity) {
     const bool draft = fidelity == Fidelity::draft;
     const double until = draft ? 0.04 : 0.1;
     const auto pack_grids =
-        draft ? std::vector<Resolution>{{40, 32, 200 * us, 0.04},
-                                        {50, 40, 200 * us, 0.04},
-                                        {60, 48, 200 * us, 0.04}}
+        draft ? std::vector<Resolution>{{40, 32, 100 * us, 0.04},
+                                        {50, 40, 100 * us, 0.04},
+                                        {60, 48, 100 * us, 0.04}}
               : std::vector<Resolution>{
                     {60, 48, 50 * us, 0.135}, {90, 72, 50 * us, 0.135}, {120, 96, 50 * us, 0.135}};
-    const auto pack_steps = draft ? with_steps({60, 48, 0, 0.04}, {200 * us, 150 * us, 100 * us})
-                                  : with_steps({120, 96, 0, 0.135}, {100 * us, 50 * us, 25 * us});
+    const auto pack_steps = draft ? with_steps({60, 48, 0, 0.04}, {120 * us, 100 * us, 80 * us})
+                                  : with_steps({120, 96, 0, 0.135}, {75 * us, 50 * us, 25 * us});
     const auto columns = with_columns({0, draft ? 48 : 96, draft ? 80 * us : 20 * us, until},
                                       draft ? std::vector{16, 32, 64} : std::vector{32, 64, 128});
     const auto rows = with_rows({draft ? 32 : 64, 0, draft ? 80 * us : 20 * us, until},
@@ -128,7 +128,7 @@ std::vector<Series> all_series(Fidelity fidelity) {
         all.insert(all.end(), two.begin(), two.end());
     };
     add(both("pack", "pack.toml", "x and y", pack_grids, 2));
-    add(both("pack", "pack.toml", "dt", pack_steps, 2));
+    add(both("pack", "pack.toml", "dt", pack_steps, draft ? 1 : 2));
     add(both("burning sandwich", "sandwich.toml", "x", columns, 1));
     add(both("burning sandwich", "sandwich.toml", "y", rows, 2));
     add(both("burning sandwich", "sandwich.toml", "dt", steps, 2));
@@ -165,8 +165,8 @@ std::optional<double> index(const std::vector<reports::Refinement>& refinements,
 }
 
 Packs packs(Fidelity fidelity) {
-    if (fidelity == Fidelity::draft) return {{60, 48, 200 * us, 0.04}, {1, 2}};
-    return {{80, 64, 100 * us, 0.135}, {1, 2, 3, 4, 5}};
+    if (fidelity == Fidelity::draft) return {{40, 32, 100 * us, 0.04}, {1, 2}};
+    return {{60, 48, 50 * us, 0.135}, {1, 2, 3, 4, 5}};
 }
 
 namespace {
