@@ -34,28 +34,13 @@ double size_of(const Scene& scene, const std::string& direction) {
     return scene.domain.width / scene.domain.nx / um;
 }
 
-std::vector<Resolution> with_steps(Resolution base, const std::vector<double>& steps) {
+/// `base` with one of its sizes varied.
+template <class Size>
+std::vector<Resolution> varied(Resolution base, Size Resolution::*size,
+                               const std::vector<Size>& values) {
     std::vector<Resolution> all;
-    for (const double step : steps) {
-        base.step = step;
-        all.push_back(base);
-    }
-    return all;
-}
-
-std::vector<Resolution> with_columns(Resolution base, const std::vector<int>& columns) {
-    std::vector<Resolution> all;
-    for (const int nx : columns) {
-        base.nx = nx;
-        all.push_back(base);
-    }
-    return all;
-}
-
-std::vector<Resolution> with_rows(Resolution base, const std::vector<int>& rows) {
-    std::vector<Resolution> all;
-    for (const int ny : rows) {
-        base.ny = ny;
+    for (const Size value : values) {
+        base.*size = value;
         all.push_back(base);
     }
     return all;
@@ -115,14 +100,18 @@ std::vector<Series> all_series(Fidelity fidelity) {
                                         {60, 48, 100 * us, 0.04}}
               : std::vector<Resolution>{
                     {60, 48, 50 * us, 0.135}, {90, 72, 50 * us, 0.135}, {120, 96, 50 * us, 0.135}};
-    const auto pack_steps = draft ? with_steps({60, 48, 0, 0.04}, {120 * us, 100 * us, 80 * us})
-                                  : with_steps({120, 96, 0, 0.135}, {75 * us, 50 * us, 25 * us});
-    const auto columns = with_columns({0, draft ? 48 : 96, draft ? 80 * us : 20 * us, until},
-                                      draft ? std::vector{16, 32, 64} : std::vector{32, 64, 128});
-    const auto rows = with_rows({draft ? 32 : 64, 0, draft ? 80 * us : 20 * us, until},
-                                draft ? std::vector{24, 36, 48} : std::vector{48, 72, 96});
-    const auto steps = draft ? with_steps({32, 48, 0, until}, {160 * us, 80 * us, 40 * us})
-                             : with_steps({64, 96, 0, until}, {80 * us, 40 * us, 20 * us});
+    const auto pack_steps =
+        draft ? varied({60, 48, 0, 0.04}, &Resolution::step, {120 * us, 100 * us, 80 * us})
+              : varied({120, 96, 0, 0.135}, &Resolution::step, {75 * us, 50 * us, 25 * us});
+    const Resolution sandwich =
+        draft ? Resolution{32, 48, 80 * us, until} : Resolution{64, 96, 20 * us, until};
+    const auto columns = varied(sandwich, &Resolution::nx,
+                                draft ? std::vector{16, 32, 64} : std::vector{32, 64, 128});
+    const auto rows = varied(sandwich, &Resolution::ny,
+                             draft ? std::vector{24, 36, 48} : std::vector{48, 72, 96});
+    const auto steps = varied(
+        sandwich, &Resolution::step,
+        draft ? std::vector{160 * us, 80 * us, 40 * us} : std::vector{80 * us, 40 * us, 20 * us});
     std::vector<Series> all;
     const auto add = [&](const std::vector<Series>& two) {
         all.insert(all.end(), two.begin(), two.end());

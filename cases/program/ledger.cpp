@@ -24,9 +24,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Where the ledger that was settled last lies in the tree.
-std::filesystem::path settled_before() {
-    return reports::source_path("cases/ledger/ledger.json");
+/// The ledger that was settled last, as it lies in the tree.
+reports::Ledger settled_before() {
+    try {
+        return reports::read_ledger(reports::source_path("cases/ledger/ledger.json"));
+    } catch (const std::runtime_error& problem) {
+        throw InputError(fmt::format("{}; crawford ledger --settle finds it anew", problem.what()));
+    }
 }
 
 double found(const std::filesystem::path& figures, const std::string& entry,
@@ -67,15 +71,14 @@ reports::Ledger settle(const LedgerOptions& options, const CommandLine& command)
 
 void tell(const reports::Ledger& ledger) {
     for (const auto& row : ledger.rows)
-        std::cout << fmt::format("{:<9} {:<54.54} {:>12.12}  {}\n", row.where, row.claim, row.ours,
-                                 name(row.standing));
+        std::cout << fmt::format("{:<9} {:<54.54} {:>12.12}  {}\n", row.where, row.claim,
+                                 row.value ? row.ours : "in words", name(row.standing));
 }
 
 }  // namespace
 
 int settle_ledger(const LedgerOptions& options, const CommandLine& command) {
-    const auto ledger =
-        options.settle ? settle(options, command) : reports::read_ledger(settled_before());
+    const auto ledger = options.settle ? settle(options, command) : settled_before();
     const auto file = options.out / "figures" / "ledger.json";
     reports::write(file, ledger);
     write_figure_pages(options.out);
