@@ -9,10 +9,12 @@ if(failed)
   set(revision "unknown")
 endif()
 
-# crawford_fingerprint(VARIABLE FOLDERS...): one hash over names and contents of all that is in the folders.
+# crawford_fingerprint(VARIABLE FOLDERS...): one hash over names and contents of all that is in the folders, but for
+# results that are kept there.
 function(crawford_fingerprint variable)
   list(TRANSFORM ARGN APPEND "/*")
   file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE ${source_dir} ${ARGN})
+  list(FILTER files EXCLUDE REGEX "\\.json$")
   set(all "${compiler} ${flags}")
   foreach(file IN LISTS files)
     file(SHA256 ${source_dir}/${file} hash)
