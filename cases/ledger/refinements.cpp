@@ -1,6 +1,7 @@
 #include "cases/ledger/refinements.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ namespace {
 using namespace units;
 
 constexpr double formal_order = 1.0;
+constexpr auto diverging = "diverging";
 
 const std::vector<Measure> of_pack = {mean_burn_rate_of_all,  mean_temperature,         mean_strain,
                                       mean_strain_about_peak, mean_pressure_about_peak, relief};
@@ -83,7 +85,7 @@ reports::Refinement refinement(const Series& series, const Measure& measure,
     const bool swings =
         (found.values[0] - found.values[1]) * (found.values[1] - found.values[2]) < 0.0;
     found.verdict = swings                  ? "oscillating"
-                    : limit.observed <= 0.0 ? "diverging"
+                    : limit.observed <= 0.0 ? diverging
                     : limit.safety < 3.0    ? "monotone"
                                             : "not asymptotic";
     return found;
@@ -144,13 +146,35 @@ std::vector<reports::Refinement> refinements(const Series& series, const Request
     return all;
 }
 
-std::optional<double> index(const std::vector<reports::Refinement>& refinements,
-                            const std::string& of, const std::string& quantity,
-                            const std::string& direction) {
+namespace {
+
+const reports::Refinement* find(const std::vector<reports::Refinement>& refinements,
+                                const std::string& of, const std::string& quantity,
+                                const std::string& direction) {
     const auto found = std::ranges::find_if(refinements, [&](const auto& r) {
         return r.of == of && r.quantity == quantity && r.direction == direction;
     });
-    return found == refinements.end() ? std::nullopt : found->index;
+    return found == refinements.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::optional<double> index(const std::vector<reports::Refinement>& refinements,
+                            const std::string& of, const std::string& quantity,
+                            const std::string& direction) {
+    const auto* found = find(refinements, of, quantity, direction);
+    if (found == nullptr || found->verdict == diverging) return {};
+    return found->index;
+}
+
+std::string divergence(const std::vector<reports::Refinement>& refinements, const std::string& of,
+                       const std::string& quantity, const std::string& direction) {
+    const auto* found = find(refinements, of, quantity, direction);
+    if (found == nullptr || found->verdict != diverging) return {};
+    std::vector<std::string> values;
+    for (const double value : found->values) values.push_back(fmt::format("{:.4g}", value));
+    return fmt::format("No interval from the grid, for it does not converge there: {}.",
+                       fmt::join(values, ", "));
 }
 
 Packs packs(Fidelity fidelity) {

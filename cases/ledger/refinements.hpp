@@ -31,10 +31,15 @@ std::vector<Scene> scenes_of(const Series& series);
 /// \throws NumericalFailure if a burn failed.
 std::vector<reports::Refinement> refinements(const Series& series, const Request& request);
 
-/// The index of a quantity in a direction; nothing if it was not refined there or has none.
+/// The index of a quantity in a direction; nothing if it was not refined there or diverges: what
+/// has no limit has no distance to it.
 std::optional<double> index(const std::vector<reports::Refinement>& refinements,
                             const std::string& of, const std::string& quantity,
                             const std::string& direction);
+
+/// A sentence with the values on all grids if a quantity diverges in a direction, else nothing.
+std::string divergence(const std::vector<reports::Refinement>& refinements, const std::string& of,
+                       const std::string& quantity, const std::string& direction);
 
 /// Packs of the paper's discs, thrown anew.
 struct Packs {

@@ -37,6 +37,11 @@ reports::Uncertainty uncertainty(const reports::Ledger& found, const std::string
             .packs = of_packs(found, of + ": " + measure.what)};
 }
 
+std::string divergence_of(const reports::Ledger& found, const std::string& of,
+                          const Measure& measure) {
+    return divergence(found.refinements, of, measure.what, "x and y");
+}
+
 std::vector<OtherReading> plus(std::vector<OtherReading> others, double offset) {
     for (OtherReading& other : others) other.value += offset;
     return others;
@@ -58,21 +63,15 @@ Rows temperatures(const reports::Ledger& found, const reports::ReadingMatrix& ma
     const double change = with - without;
     return {judged({"mean of the largest temperature, thermal", "Fig. 15a", "fig15", "K", "975.9",
                     975.9, half_digit("975.9")},
-                   {without,
-                    uncertainty(found, "pack, rigid", mean_temperature),
-                    as_read,
+                   {without, uncertainty(found, "pack, rigid", mean_temperature), as_read,
                     before({since, rigid_later},
                            plus(others(matrix, "rise of largest T, rigid"), cold)),
-                    {},
-                    "{:.1f}"}),
+                    divergence_of(found, "pack, rigid", mean_temperature), "{:.1f}"}),
             judged({"mean of the largest temperature, thermo-mechanical", "Fig. 15a", "fig15", "K",
                     "965.4", 965.4, half_digit("965.4")},
-                   {with,
-                    uncertainty(found, "pack", mean_temperature),
-                    as_read,
+                   {with, uncertainty(found, "pack", mean_temperature), as_read,
                     before({since, later}, plus(others(matrix, "rise of largest T"), cold)),
-                    {},
-                    "{:.1f}"}),
+                    divergence_of(found, "pack", mean_temperature), "{:.1f}"}),
             judged({"their difference", "Fig. 15a", "fig15", "K", "-10.5", -10.5, 0.1},
                    {change,
                     {},
@@ -92,7 +91,11 @@ Rows burn_rates(const reports::Ledger& found, const reports::ReadingMatrix& matr
                     half_digit("0.449")},
                    {without, uncertainty(found, "pack, rigid", mean_burn_rate_of_all), as_read,
                     before({since, rigid_later}, others(matrix, "burn rate, rigid")),
-                    fmt::format("From 20 ms on {:.4f}.", rigid_later), "{:.4f}"}),
+                    fmt::format(
+                        "From 20 ms on {:.4f}. The specific heat is not printed, and the rate goes "
+                        "roughly as its inverse.",
+                        rigid_later),
+                    "{:.4f}"}),
             judged({"mean burn rate, thermo-mechanical", "Fig. 15b", "fig15", "cm/s", "0.42", 0.42,
                     half_digit("0.42")},
                    {with, uncertainty(found, "pack", mean_burn_rate_of_all), as_read,
@@ -126,15 +129,15 @@ reports::Uncertainty uncertainty_of_peak(const reports::Ledger& found, const std
 }
 
 reports::LedgerRow mean_peak(const reports::Claim& claim, const Burn& burn,
-                             const reports::Uncertainty& uncertainty,
+                             const reports::Uncertainty& uncertainty, const std::string& grids,
                              const std::vector<OtherReading>& others) {
     const double about_peak = percent(mean_strain_about_peak.of(burn));
-    return judged(claim, {percent(mean_strain.of(burn)), uncertainty, as_read + "; this grid",
-                          before({"the mean over 5 um about the peak", about_peak}, others),
-                          fmt::format("A peak does not converge with the grid; over 5 um about it "
-                                      "{:.1f} %.",
-                                      about_peak),
-                          "{:.1f}"});
+    return judged(claim,
+                  {percent(mean_strain.of(burn)), uncertainty, as_read + "; this grid",
+                   before({"the mean over 5 um about the peak", about_peak}, others),
+                   fmt::format("A peak in a corner has no limit; over 5 um about it {:.1f} %. {}",
+                               about_peak, grids),
+                   "{:.1f}"});
 }
 
 Rows strains(const reports::Ledger& found, const reports::ReadingMatrix& matrix,
@@ -143,10 +146,11 @@ Rows strains(const reports::Ledger& found, const reports::ReadingMatrix& matrix,
         mean_peak({"mean of the largest strain", "Fig. 16", "fig16", "%", "31.6", 31.6,
                    half_digit("31.6")},
                   coupled, uncertainty_of_peak(found, "pack"),
+                  divergence_of(found, "pack", mean_strain),
                   percent(others(matrix, "largest strain"))),
         mean_peak({"mean of the largest strain, 2Q", "Fig. 17b", "fig17", "%", "37.24", 37.24,
                    half_digit("37.24")},
-                  twice, uncertainty_of_peak(found, "pack, 2Q"), {}),
+                  twice, uncertainty_of_peak(found, "pack, 2Q"), {}, {}),
         judged({"highest peak of strain, 2Q", "Fig. 17b", "fig17", "%", "as high as 60", 60.0, 5.0},
                {percent(std::ranges::max(twice.largest_strain)),
                 {},

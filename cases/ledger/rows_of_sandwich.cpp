@@ -114,8 +114,10 @@ Rows rows_of_sandwich(const Request& request, const std::vector<reports::Refinem
                    {height_of_profile.of(*coupled), uncertainty(refinements, height_of_profile),
                     as_read + "; height above the first point, as drawn",
                     others(matrix, "height of the profile"),
-                    fmt::format("The material itself has moved out by {:.1f} um.",
-                                outward_displacement.of(*coupled)),
+                    fmt::format(
+                        "The material itself has moved out by {:.1f} um. {}",
+                        outward_displacement.of(*coupled),
+                        divergence(refinements, "burning sandwich", height_of_profile.what, "x")),
                     "{:.1f}"})};
 }
 
