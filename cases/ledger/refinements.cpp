@@ -207,9 +207,7 @@ reports::Spread spread(const Packs& packs, const std::string& of, const Measure&
     for (const unsigned long seed : packs.seeds)
         found.values.push_back(measure.of(*kept_burn(scene(seed), request)));
     found.mean = mean(found.values);
-    double squares = 0.0;
-    for (const double value : found.values) squares += std::pow(value - found.mean, 2);
-    found.deviation = std::sqrt(squares / double(found.values.size() - 1));
+    found.deviation = deviation(found.values);
     return found;
 }
 

@@ -21,11 +21,35 @@ using Rows = std::vector<reports::LedgerRow>;
 
 const std::string as_read = "3 alpha K, c_p; mean of the whole run, ignition and all";
 
-/// Two standard deviations from pack to pack: the paper's own pack is not published.
-std::optional<double> of_packs(const reports::Ledger& found, const std::string& name) {
+const reports::Spread& spread_of(const reports::Ledger& found, const std::string& name) {
     const auto spread = std::ranges::find(found.spreads, name, &reports::Spread::quantity);
-    if (spread == found.spreads.end()) return {};
-    return 2.0 * spread->deviation;
+    if (spread == found.spreads.end())
+        throw std::logic_error("the ledger has no spread of " + name);
+    return *spread;
+}
+
+/// Two standard deviations from pack to pack: the paper's own pack is not published.
+double of_packs(const reports::Ledger& found, const std::string& name) {
+    return 2.0 * spread_of(found, name).deviation;
+}
+
+/// The same of what mechanics changes, pack by pack: what two runs of one pack share cancels.
+template <class Change>
+reports::Uncertainty of_change(const reports::Ledger& found, const Measure& measure,
+                               const Change& change) {
+    const auto& coupled = spread_of(found, std::string("pack: ") + measure.what).values;
+    const auto& rigid = spread_of(found, std::string("pack, rigid: ") + measure.what).values;
+    std::vector<double> changes;
+    for (size_t k = 0; k < coupled.size(); ++k) changes.push_back(change(coupled[k], rigid[k]));
+    return {.packs = 2.0 * deviation(changes)};
+}
+
+double difference(double coupled, double rigid) {
+    return coupled - rigid;
+}
+
+double per_cent(double coupled, double rigid) {
+    return 100.0 * (coupled / rigid - 1.0);
 }
 
 /// `of` is "pack", "pack, rigid" or "pack, 2Q"; what doubles the flux was refined without.
@@ -60,7 +84,6 @@ Rows temperatures(const reports::Ledger& found, const reports::ReadingMatrix& ma
     const double with = mean_temperature.of(coupled), without = mean_temperature.of(rigid);
     const double later = course(coupled.time, coupled.largest_temperature).mean;
     const double rigid_later = course(rigid.time, rigid.largest_temperature).mean;
-    const double change = with - without;
     return {judged({"mean of the largest temperature, thermal", "Fig. 15a", "fig15", "K", "975.9",
                     975.9, half_digit("975.9")},
                    {without, uncertainty(found, "pack, rigid", mean_temperature), as_read,
@@ -73,8 +96,8 @@ Rows temperatures(const reports::Ledger& found, const reports::ReadingMatrix& ma
                     before({since, later}, plus(others(matrix, "rise of largest T"), cold)),
                     divergence_of(found, "pack", mean_temperature), "{:.1f}"}),
             judged({"their difference", "Fig. 15a", "fig15", "K", "-10.5", -10.5, 0.1},
-                   {change,
-                    {},
+                   {difference(with, without),
+                    of_change(found, mean_temperature, difference),
                     as_read,
                     {{since, later - rigid_later}},
                     "Of two runs of one pack on one grid: what they share cancels.",
@@ -103,12 +126,9 @@ Rows burn_rates(const reports::Ledger& found, const reports::ReadingMatrix& matr
                     fmt::format("From 20 ms on {:.4f}.", later), "{:.4f}"}),
             judged({"change of the burn rate by mechanics", "Fig. 15b", "fig15", "%", "-6.5",
                     100.0 * (0.42 / 0.449 - 1.0), 100.0 * half_digit("0.42") / 0.449},
-                   {100.0 * (with / without - 1.0),
-                    {},
-                    as_read,
-                    others(matrix, "change of burn rate"),
-                    "With c_v in place of c_p most of it is gone: case model_form.",
-                    "{:.2f}"})};
+                   {per_cent(with, without), of_change(found, mean_burn_rate_of_all, per_cent),
+                    as_read, others(matrix, "change of burn rate"),
+                    "With c_v in place of c_p most of it is gone: case model_form.", "{:.2f}"})};
 }
 
 /// Strains are printed in per cent.
@@ -123,9 +143,7 @@ std::vector<OtherReading> percent(std::vector<OtherReading> others) {
 
 /// A peak does not converge: only other packs are in its interval.
 reports::Uncertainty uncertainty_of_peak(const reports::Ledger& found, const std::string& of) {
-    auto packs = of_packs(found, of + ": " + mean_strain.what);
-    if (packs) packs = percent(*packs);
-    return {.packs = packs};
+    return {.packs = percent(of_packs(found, of + ": " + mean_strain.what))};
 }
 
 reports::LedgerRow mean_peak(const reports::Claim& claim, const Burn& burn,

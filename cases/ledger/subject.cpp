@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "cases/catalogue/sandwich_measures.hpp"
@@ -44,6 +45,12 @@ std::string text(const Resolution& r) {
 
 double mean(const std::vector<double>& course) {
     return std::accumulate(course.begin(), course.end(), 0.0) / double(course.size());
+}
+
+double deviation(const std::vector<double>& values) {
+    double squares = 0.0;
+    for (const double value : values) squares += std::pow(value - mean(values), 2);
+    return std::sqrt(squares / double(values.size() - 1));
 }
 
 namespace {

@@ -48,6 +48,9 @@ struct Measure {
 /// Mean of the whole course of a burn, ignition and all: "the mean value for the time series".
 double mean(const std::vector<double>& course);
 
+/// Sample standard deviation.
+double deviation(const std::vector<double>& values);
+
 /// The course's numbers of a burning pack.
 extern const Measure mean_burn_rate_of_all, mean_temperature, mean_strain, mean_strain_about_peak,
     mean_pressure_about_peak, relief;
