@@ -38,8 +38,8 @@
 /// 297 K (beta = 3 alpha K; 74 K with alpha K, the paper's "about 80"): 213 K (44) are the
 /// capacity, 84 K (31) the stretch, and mechanics warms by 0.1 K. AP, which resists its own
 /// expansion, is warmed by 1.5 K. Where mass is conserved nothing is left of the stretch. (c to f)
-/// Of what sandwich and pack lose, 70 to 80 % is the capacity and the rest stretch. Mechanics
-/// itself changes their mean burn rate by 0.1 % at most.
+/// Of the burn rate that sandwich and pack lose, 81 and 74 % are the capacity and the rest is
+/// stretch. Mechanics itself changes it by less than 0.1 %.
 ///
 /// What not to conclude.
 ///
