@@ -16,7 +16,7 @@ set ylabel 'heat per degree / (J/(kg K))'
 set xrange [300:970]
 set yrange [0:*]
 plot data_capacity using 1:2 with lines ls 1 title 'free to expand: c_p', \
-     '' using 1:3 with lines ls 4 title 'c_p and stress work', \
+     '' using 1:3 with lines ls 4 title 'c_{p}  and stress work', \
      '' using 1:4 with lines lt 8 dt 3 lw 1.6 title 'c_v', \
      data_heated_c_p using 1:2 with points lt 2 pt 6 ps 0.8 title 'block in the solver, c_p', \
      data_heated_c_v using 1:2 with points lt 1 pt 4 ps 0.8 title 'block in the solver, c_v'
@@ -39,7 +39,7 @@ set xlabel 't / ms'
 
 @panel_c
 eval heading('c', 'sandwich: mean burn rate')
-set ylabel 'mean r_{b} / (cm/s)'
+set ylabel 'mean r_{b}  / (cm/s)'
 set xrange [0:*]
 set yrange [0:*]
 plot for [k = 1:4] value('data_sandwich_' . word(solids, k)) using 1:2 with lines ls k title title_of(k)
