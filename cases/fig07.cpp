@@ -78,7 +78,7 @@ const Registered here{{.name = "fig07",
                        .shows = "sandwich: maps of temperature, pressure, strain",
                        .physics = {physics::heat, physics::burning, physics::stress,
                                    physics::coupling, physics::reference_map, physics::sandwich},
-                       .cost = {.draft = 8.0, .paper = 70.0},
+                       .cost = {.draft = 8.0, .paper = 80.0},
                        .draw = fig07,
                        .burns = [](Fidelity f) { return std::vector{burning_sandwich(f, true)}; }}};
 

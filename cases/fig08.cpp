@@ -72,7 +72,7 @@ const Registered here{
      .figure = "Fig. 8",
      .shows = "sandwich: surface temperature and profile on finer grids",
      .physics = {physics::heat, physics::burning, physics::grid, physics::sandwich},
-     .cost = {.draft = 8.0, .paper = 600.0},
+     .cost = {.draft = 8.0, .paper = 370.0},
      .draw = fig08,
      .burns = refined_scenes}};
 

@@ -78,7 +78,7 @@ const Registered here{
      .figure = "Fig. 9",
      .shows = "burning sandwich: errors against the width of a column",
      .physics = {physics::stress, physics::reference_map, physics::grid, physics::sandwich},
-     .cost = {.draft = 8.0, .paper = 600.0},
+     .cost = {.draft = 8.0, .paper = 370.0},
      .draw = fig09,
      .burns = refined_scenes}};
 

@@ -55,7 +55,7 @@ const Registered here{
      .figure = "Fig. 10",
      .shows = "sandwich: surface temperature and burn rate",
      .physics = {physics::heat, physics::burning, physics::coupling, physics::sandwich},
-     .cost = {.draft = 8.0, .paper = 75.0},
+     .cost = {.draft = 8.0, .paper = 80.0},
      .draw = fig10,
      .burns = [](Fidelity f) {
          return std::vector{burning_sandwich(f, false), burning_sandwich(f, true)};

@@ -63,7 +63,7 @@ const Registered here{
      .figure = "Fig. 11",
      .shows = "sandwich: steady profile of the surface",
      .physics = {physics::burning, physics::coupling, physics::sandwich},
-     .cost = {.draft = 8.0, .paper = 75.0},
+     .cost = {.draft = 8.0, .paper = 80.0},
      .draw = fig11,
      .burns = [](Fidelity f) {
          return std::vector{burning_sandwich(f, false), burning_sandwich(f, true)};

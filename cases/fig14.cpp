@@ -82,7 +82,7 @@ const Registered here{{.name = "fig14",
                        .shows = "pack: temperature, pressure, strain near the surface",
                        .physics = {physics::heat, physics::burning, physics::stress,
                                    physics::coupling, physics::reference_map, physics::pack},
-                       .cost = {.draft = 12.0, .paper = 700.0},
+                       .cost = {.draft = 12.0, .paper = 400.0},
                        .draw = fig14,
                        .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; }}};
 

@@ -84,7 +84,7 @@ const Registered here{
      .figure = "Fig. 15",
      .shows = "pack: largest temperature and burn rate, with and without stress",
      .physics = {physics::heat, physics::burning, physics::coupling, physics::pack},
-     .cost = {.draft = 15.0, .paper = 750.0},
+     .cost = {.draft = 15.0, .paper = 410.0},
      .draw = fig15,
      .burns = [](Fidelity f) {
          return std::vector{burning_pack(f), burning_pack(f, {.mechanics = false})};

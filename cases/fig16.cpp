@@ -52,7 +52,7 @@ const Registered here{{.name = "fig16",
                        .figure = "Fig. 16",
                        .shows = "pack: largest strain against time",
                        .physics = {physics::reference_map, physics::pack},
-                       .cost = {.draft = 12.0, .paper = 700.0},
+                       .cost = {.draft = 12.0, .paper = 400.0},
                        .draw = fig16,
                        .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; }}};
 

@@ -69,7 +69,7 @@ const Registered here{{.name = "fig17",
                        .figure = "Fig. 17",
                        .shows = "pack: burn rate and largest strain under once and twice the flux",
                        .physics = {physics::burning, physics::reference_map, physics::pack},
-                       .cost = {.draft = 18.0, .paper = 800.0},
+                       .cost = {.draft = 18.0, .paper = 410.0},
                        .draw = fig17,
                        .burns = [](Fidelity f) {
                            return std::vector{burning_pack(f), burning_pack(f, {.flux = 2.0})};

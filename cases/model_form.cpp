@@ -309,7 +309,7 @@ const Registered here{
      .figure = "-",
      .shows = "how much of the lost burn rate is mechanics, how much c_p twice",
      .physics = {physics::heat, physics::coupling, physics::slab, physics::sandwich, physics::pack},
-     .cost = {.draft = 60.0, .paper = 1600.0},
+     .cost = {.draft = 60.0, .paper = 900.0},
      .draw = model_form,
      .burns = burns}};
 

@@ -58,7 +58,7 @@ struct Parser {
     void add_run() {
         run_command = app.add_subcommand("run", help::run);
         run_command->add_option("CASE", run.cases, "Cases to draw (crawford list)");
-        run_command->add_flag("--all", run.all, "Draw every case: half an hour at paper");
+        run_command->add_flag("--all", run.all, "Draw every case: 25 minutes at paper");
         run_command->add_option("--fidelity", run.fidelity, "draft, paper or fine")
             ->type_name("WORD")
             ->capture_default_str();
