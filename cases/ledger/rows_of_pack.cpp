@@ -128,7 +128,7 @@ Rows burn_rates(const reports::Ledger& found, const reports::ReadingMatrix& matr
                     100.0 * (0.42 / 0.449 - 1.0), 100.0 * half_digit("0.42") / 0.449},
                    {per_cent(with, without), of_change(found, mean_burn_rate_of_all, per_cent),
                     as_read, others(matrix, "change of burn rate"),
-                    "With c_v in place of c_p most of it is gone: case model_form.", "{:.2f}"})};
+                    "With c_v in place of c_p most of it is gone: case model-form.", "{:.2f}"})};
 }
 
 /// Strains are printed in per cent.

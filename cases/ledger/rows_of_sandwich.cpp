@@ -83,7 +83,7 @@ reports::LedgerRow cooling(const Burn& coupled, const Burn& rigid) {
         "a drop is observed, much higher in the binder",
         fmt::format("{:+.2f} K amid the strip, {:+.2f} K amid AP", change(0), change(side)),
         as_read, change(0) < 0.0 && change(side) < 0.0 && change(0) < change(side),
-        "Both must fall, binder by more. Case model_form says how much of it is c_p counted "
+        "Both must fall, binder by more. Case model-form says how much of it is c_p counted "
         "twice."});
 }
 
