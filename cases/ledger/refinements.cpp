@@ -198,17 +198,20 @@ std::vector<std::string> with(std::vector<std::string> set, unsigned long seed) 
     return set;
 }
 
-/// One number over all seeds; `scene` is of one seed.
-template <class SceneOf>
-reports::Spread spread(const Packs& packs, const std::string& of, const Measure& measure,
-                       const SceneOf& scene, const Request& request) {
-    reports::Spread found{
-        .quantity = of + ": " + measure.what, .unit = measure.unit, .seeds = packs.seeds};
-    for (const unsigned long seed : packs.seeds)
-        found.values.push_back(measure.of(*kept_burn(scene(seed), request)));
-    found.mean = mean(found.values);
-    found.deviation = deviation(found.values);
-    return found;
+/// Adds the measures of one burn a seed, named "<of>: <measure>".
+void add_spreads(std::vector<reports::Spread>& all, const std::string& of,
+                 const std::vector<unsigned long>& seeds,
+                 const std::vector<std::shared_ptr<const Burn>>& burns,
+                 const std::vector<Measure>& measures) {
+    for (const Measure& measure : measures) {
+        reports::Spread& found = all.emplace_back();
+        found.quantity = of + ": " + measure.what;
+        found.unit = measure.unit;
+        found.seeds = seeds;
+        for (const auto& burn : burns) found.values.push_back(measure.of(*burn));
+        found.mean = mean(found.values);
+        found.deviation = deviation(found.values);
+    }
 }
 
 }  // namespace
@@ -224,22 +227,17 @@ std::vector<Scene> scenes_of(const Packs& packs) {
 }
 
 std::vector<reports::Spread> spreads(const Packs& packs, const Request& request) {
-    const auto coupled = [&](unsigned long seed) {
-        return random_pack.coupled(packs.resolution, {seeded(seed)});
-    };
-    const auto rigid = [&](unsigned long seed) {
-        return random_pack.rigid(packs.resolution, {seeded(seed)});
-    };
-    const auto twice = [&](unsigned long seed) {
-        return random_pack.coupled(packs.resolution, with(twice_the_flux, seed));
-    };
-    std::vector<reports::Spread> all;
-    for (const Measure& measure : of_pack) {
-        all.push_back(spread(packs, "pack", measure, coupled, request));
-        all.push_back(spread(packs, "pack, 2Q", measure, twice, request));
+    std::vector<std::shared_ptr<const Burn>> coupled, rigid, twice;
+    for (const unsigned long seed : packs.seeds) {
+        const auto burnt = [&](const Scene& scene) { return kept_burn(scene, request); };
+        coupled.push_back(burnt(random_pack.coupled(packs.resolution, {seeded(seed)})));
+        rigid.push_back(burnt(random_pack.rigid(packs.resolution, {seeded(seed)})));
+        twice.push_back(burnt(random_pack.coupled(packs.resolution, with(twice_the_flux, seed))));
     }
-    for (const Measure& measure : of_rigid_pack)
-        all.push_back(spread(packs, "pack, rigid", measure, rigid, request));
+    std::vector<reports::Spread> all;
+    add_spreads(all, "pack", packs.seeds, coupled, of_pack);
+    add_spreads(all, "pack, 2Q", packs.seeds, twice, of_pack);
+    add_spreads(all, "pack, rigid", packs.seeds, rigid, of_rigid_pack);
     return all;
 }
 

@@ -60,10 +60,11 @@ public:
         remove_halves(figures());
         std::erase_if(chosen_, [this](const Entry* entry) { return is_up_to_date(*entry); });
         Workload workload(narrator_);
-        workload.run(burns_and_plain_cases(),
-                     [this](const Task& task, auto failure) { tell_failure(task.name, failure); });
-        workload.run(cases_of_burns(),
-                     [this](const Task& task, auto failure) { tell_failure(task.name, failure); });
+        const auto failed = [this](const Task& task, const std::exception_ptr& failure) {
+            tell_failure(task.name, failure);
+        };
+        workload.run(burns_and_plain_cases(), failed);
+        workload.run(cases_of_burns(), failed);
         write_figure_pages(options_.out);
         return worst_;
     }

@@ -19,13 +19,11 @@
 
 namespace crawford {
 
-namespace {
-
-/// The last step of a run. An end that is no multiple of the step is passed by the least that
-/// covers it.
 long last_step(const Time& time) {
     return std::lround(std::ceil(time.end / time.step - 1e-6));
 }
+
+namespace {
 
 class Run {
 public:

@@ -141,6 +141,11 @@ std::vector<Sample> read_window(const Hdf5File& file) {
 
 }  // namespace
 
+std::filesystem::path checkpoint_file(const std::filesystem::path& directory,
+                                      const std::string& name, long step) {
+    return directory / fmt::format("{}_checkpoint_{:06d}.h5", name, step);
+}
+
 void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
                      const Provenance& provenance) {
     Hdf5File file = Hdf5File::create(path);

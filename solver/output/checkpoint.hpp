@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "solver/output/provenance.hpp"
@@ -14,6 +15,10 @@ struct Checkpoint {
     State state;
     std::vector<Sample> window;  ///< of Steadiness
 };
+
+/// "<directory>/<name>_checkpoint_<step>.h5", where a run called `name` puts them.
+std::filesystem::path checkpoint_file(const std::filesystem::path& directory,
+                                      const std::string& name, long step);
 
 /// Writes HDF5: the group /state, the window, the scene's text and where it comes from.
 /// \throws InputError if the file cannot be written; nothing is then left under its name.

@@ -86,7 +86,7 @@ void Recorder::take_snapshot(const Simulation& simulation) {
 std::filesystem::path Recorder::take_checkpoint(const Simulation& simulation,
                                                 const std::vector<Sample>& window) {
     const State& state = simulation.state();
-    auto path = directory_ / fmt::format("{}_checkpoint_{:06d}.h5", name_, state.step);
+    auto path = checkpoint_file(directory_, name_, state.step);
     save_checkpoint(path, {state, window}, provenance_);
     return path;
 }
