@@ -73,7 +73,7 @@ figures: build
 # What is settled at the paper's fidelity is what the tree keeps.
 ledger: build
 	@build/crawford ledger --settle --fidelity $(FIDELITY) --out $(OUT)
-	@if [ $(FIDELITY) = paper ]; then cp $(OUT)/figures/ledger.json cases/ledger/ledger.json; fi
+	@if [ $(FIDELITY) = paper ]; then cp $(OUT)/figures/ledger.json results/ledger.json; fi
 
 bench: build
 	@cmake --build --preset release --target bench --parallel $(JOBS)
@@ -86,7 +86,7 @@ check-format: tools
 	@clang-format --dry-run --Werror $(SOURCES)
 
 tidy: tools build
-	@run-clang-tidy -quiet -p build '$(CURDIR)/(solver|reference|reports|cases|tests)/.*'
+	@run-clang-tidy -quiet -p build '$(CURDIR)/(base|solver|reference|reports|cases|program|tests)/.*'
 
 clean:
 	@rm -rf build

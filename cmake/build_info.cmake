@@ -7,7 +7,7 @@ function(crawford_build_info target)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}" flags)
   add_custom_target(build_info
     COMMAND ${CMAKE_COMMAND}
-      -D template=${PROJECT_SOURCE_DIR}/solver/output/build_info.cpp.in
+      -D template=${PROJECT_SOURCE_DIR}/base/build_info.cpp.in
       -D generated=${generated}
       -D source_dir=${PROJECT_SOURCE_DIR}
       -D version=${PROJECT_VERSION}

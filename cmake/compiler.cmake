@@ -14,6 +14,17 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
+# What most files read, read once for each target: a quarter of the build.
+function(crawford_precompile target)
+  target_precompile_headers(${target} PRIVATE
+    <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <utility> <vector>
+    <fmt/format.h> <fmt/ranges.h> ${ARGN})
+  # A compiler cache can only take part if the header stays visible to the preprocessor.
+  if(CMAKE_CXX_COMPILER_LAUNCHER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  endif()
+endfunction()
+
 # What our own code must pass, and nobody else's headers. GCC 12 sees an overlap in any std::string + std::string that it
 # inlines (its bug 105651), so that one warning is off.
 function(crawford_strict target)

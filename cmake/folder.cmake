@@ -8,25 +8,37 @@ function(crawford_own_include_path name)
   set(${name}_include_path ${path} PARENT_SCOPE)
 endfunction()
 
+function(crawford_finish target folder)
+  target_include_directories(${target} PUBLIC ${${folder}_include_path})
+  target_link_libraries(${target} PUBLIC ${ARGN})
+  crawford_strict(${target})
+  crawford_precompile(${target})
+endfunction()
+
 # crawford_folder(NAME DEPENDS targets...): all of NAME/ as the static library NAME.
 function(crawford_folder name)
   cmake_parse_arguments(PARSE_ARGV 1 folder "" "" "DEPENDS")
   crawford_own_include_path(${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
   add_library(${name} STATIC ${sources})
-  target_include_directories(${name} PUBLIC ${${name}_include_path})
-  target_link_libraries(${name} PUBLIC ${folder_DEPENDS})
-  crawford_strict(${name})
+  crawford_finish(${name} ${name} ${folder_DEPENDS})
 endfunction()
 
-# crawford_program(PROGRAM NAME DEPENDS targets...): all of NAME/ as an executable. Not a library, so that what registers
-# itself is linked although nobody calls it.
+# crawford_objects(NAME DEPENDS targets...): all of NAME/ as objects. Not an archive, so that what registers itself is
+# linked although nobody calls it.
+function(crawford_objects name)
+  cmake_parse_arguments(PARSE_ARGV 1 folder "" "" "DEPENDS")
+  crawford_own_include_path(${name})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
+  add_library(${name} OBJECT ${sources})
+  crawford_finish(${name} ${name} ${folder_DEPENDS})
+endfunction()
+
+# crawford_program(PROGRAM NAME DEPENDS targets...): all of NAME/ as an executable.
 function(crawford_program program name)
   cmake_parse_arguments(PARSE_ARGV 2 folder "" "" "DEPENDS")
   crawford_own_include_path(${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
   add_executable(${program} ${sources})
-  target_include_directories(${program} PRIVATE ${${name}_include_path})
-  target_link_libraries(${program} PRIVATE ${folder_DEPENDS})
-  crawford_strict(${program})
+  crawford_finish(${program} ${name} ${folder_DEPENDS})
 endfunction()

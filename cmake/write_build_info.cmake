@@ -27,5 +27,6 @@ endfunction()
 
 crawford_fingerprint(solver_fingerprint ${source_dir}/solver)
 crawford_fingerprint(source_fingerprint
-  ${source_dir}/solver ${source_dir}/reference ${source_dir}/reports ${source_dir}/cases)
+  ${source_dir}/base ${source_dir}/solver ${source_dir}/reference ${source_dir}/reports ${source_dir}/cases
+  ${source_dir}/program)
 configure_file(${template} ${generated} @ONLY)

@@ -8,8 +8,9 @@
 #include <cmath>
 #include <system_error>
 
-#include "reports/atomic_file.hpp"
-#include "reports/process.hpp"
+#include "base/atomic_file.hpp"
+#include "base/process.hpp"
+#include "base/source_tree.hpp"
 
 namespace crawford::reports {
 namespace fs = std::filesystem;
@@ -90,10 +91,6 @@ std::string trimmed(const std::string& text) {
 
 }  // namespace
 
-fs::path source_path(const fs::path& relative) {
-    return fs::path(CRAWFORD_SOURCE_DIR) / relative;
-}
-
 Figure::Figure(const std::string& name, const fs::path& out, const fs::path& script)
     : name_(checked(name)),
       directory_(fs::absolute(out / "figures")),
@@ -115,7 +112,7 @@ Figure& Figure::forget_numbers() {
 
 Figure& Figure::table(const std::string& name, const std::vector<Column>& columns) {
     const auto path = numbers(name);
-    write_atomically(path, csv(columns));
+    write_file(path, csv(columns));
     variables_["data_" + name] = quoted(path.string());
     if (!scratch_) data_.push_back(path);
     return *this;
@@ -123,7 +120,7 @@ Figure& Figure::table(const std::string& name, const std::vector<Column>& column
 
 Figure& Figure::map(const std::string& name, const QuadMap& quads) {
     const auto path = numbers(name);
-    write_atomically(path, csv(quads));
+    write_file(path, csv(quads));
     variables_["data_" + name] = quoted(path.string());
     if (!scratch_) data_.push_back(path);
     variables_["colours_" + name] = quoted(quads.at_cells() ? "set pm3d map corners2color c1"
@@ -196,7 +193,7 @@ std::vector<fs::path> Figure::draw() const {
         outputs.push_back(pictures.back().temporary());
     }
     const AtomicFile commands(file(".gp"));  // never committed: gone when gnuplot is done
-    write_atomically(commands.temporary(), prelude(panels, outputs));
+    write_file(commands.temporary(), prelude(panels, outputs));
 
     const auto fail = [&](const std::string& why) {
         throw FigureFailed(fmt::format("{}: {}: {}", name_, script_.string(), why));

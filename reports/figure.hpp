@@ -12,15 +12,15 @@
 /// Figures: numbers go to CSV files, a gnuplot script of the case's own draws them in the house
 /// style.
 ///
-///     Figure("fig03", out, "cases/fig03.gp")
+///     Figure("fig03", out, "cases/paper/fig03.gp")
 ///         .table("solver", {{"depth", "um", y}, {"temperature", "K", T}})
 ///         .set("surface_temperature", T.back())
 ///         .caption({.grid = "1 x 128", .step = "steady", .revision = revision})
 ///         .panel("a").panel("b")
 ///         .draw();
 ///
-/// and in cases/fig03.gp, which knows each table as data_<name>, each panel as panel_<name>, and
-/// every set() variable:
+/// and in cases/paper/fig03.gp, which knows each table as data_<name>, each panel as panel_<name>,
+/// and every set() variable:
 ///
 ///     @panel_a
 ///     plot data_solver using 1:2 with points title 'solver'
@@ -111,9 +111,5 @@ private:
     std::vector<Panel> panels_;
     std::vector<std::filesystem::path> data_;
 };
-
-/// Where the scripts live: `relative` below the source tree. Absolute paths are returned as they
-/// are.
-std::filesystem::path source_path(const std::filesystem::path& relative);
 
 }  // namespace crawford::reports

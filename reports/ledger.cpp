@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "reports/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "reports/ledger_json.hpp"
 
 namespace crawford::reports {
@@ -34,7 +34,7 @@ std::optional<double> Uncertainty::total() const {
 }
 
 void write(const std::filesystem::path& file, const Ledger& ledger) {
-    write_atomically(file, Json(ledger).dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    write_file(file, Json(ledger).dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 Ledger read_ledger(const std::filesystem::path& file) {

@@ -106,7 +106,7 @@ struct Ledger {
 
 /// Writes it as one JSON document, atomically. A number that is missing becomes null, and so does
 /// one that is not finite: read back it is missing where it may be, else NaN.
-/// \throws std::filesystem::filesystem_error naming the file.
+/// \throws InputError naming the file.
 void write(const std::filesystem::path& file, const Ledger& ledger);
 
 /// \throws std::runtime_error naming the file and what is missing or wrong in it.

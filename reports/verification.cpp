@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "reports/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "reports/gate_json.hpp"
 #include "reports/judgement.hpp"
 
@@ -76,7 +76,7 @@ void write(const std::filesystem::path& file, const Verification& v) {
     document["terms"] = v.terms;
     document["studies"] = v.studies;
     document["gates"] = v.gates;
-    write_atomically(file, document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    write_file(file, document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 Verification read_verification(const std::filesystem::path& file) {

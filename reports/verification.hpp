@@ -43,7 +43,7 @@ struct Verification {
 
 /// Writes it as one JSON document, atomically: the members of the manifest, then "passed", "whole",
 /// "terms", "studies", "gates".
-/// \throws std::filesystem::filesystem_error naming the file.
+/// \throws InputError naming the file.
 void write(const std::filesystem::path& file, const Verification& verification);
 
 /// \throws std::runtime_error naming the file and what is missing or wrong in it.

@@ -1,5 +1,7 @@
 #include "reports/page/html.hpp"
 
+#include <fmt/format.h>
+
 #include <cctype>
 
 namespace crawford::reports::page {
@@ -27,9 +29,9 @@ std::string escaped(std::string_view text) {
 }
 
 std::string opening(std::string_view tag, const Attributes& attributes) {
-    std::string text = "<" + std::string(tag);
+    std::string text = fmt::format("<{}", tag);
     for (const auto& [name, value] : attributes)
-        text += ' ' + std::string(name) + "=\"" + escaped(value) + '"';
+        text += fmt::format(" {}=\"{}\"", name, escaped(value));
     return text;
 }
 

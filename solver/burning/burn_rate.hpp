@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "solver/morphology/material_map.hpp"
+#include "solver/materials/material_map.hpp"
 
 namespace crawford {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/fields/weno.hpp"
+#include "solver/mesh/weno.hpp"
 
 namespace crawford {
 

@@ -1,7 +1,7 @@
 /// The regressing surface: phi_t = -r_b sqrt(1 + phi_x^2)   (paper eq. 9, 33).
 #pragma once
 
-#include "solver/grid/grid.hpp"
+#include "solver/mesh/grid.hpp"
 
 namespace crawford {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "solver/errors.hpp"
-#include "solver/grid/node_lengths.hpp"
+#include "base/errors.hpp"
 #include "solver/heat/line_relaxation.hpp"
+#include "solver/mesh/node_lengths.hpp"
 
 namespace crawford {
 

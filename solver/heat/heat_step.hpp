@@ -9,9 +9,9 @@
 #pragma once
 
 #include "solver/burning/burn_rate.hpp"
-#include "solver/fields/node_stencil.hpp"
-#include "solver/simulation/sources.hpp"
-#include "solver/simulation/time_step.hpp"
+#include "solver/mesh/node_stencil.hpp"
+#include "solver/step/sources.hpp"
+#include "solver/step/time_step.hpp"
 
 namespace crawford {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 
 namespace crawford {
 

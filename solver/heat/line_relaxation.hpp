@@ -2,7 +2,7 @@
 /// stand   (paper sec. 3.2).
 #pragma once
 
-#include "solver/fields/node_stencil.hpp"
+#include "solver/mesh/node_stencil.hpp"
 
 namespace crawford {
 

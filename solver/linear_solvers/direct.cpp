@@ -4,7 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <mutex>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 #include "solver/linear_solvers/one_thread.hpp"
 
 namespace crawford {

@@ -4,7 +4,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 
 namespace crawford {
 

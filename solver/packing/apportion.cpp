@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 
 namespace crawford {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 #include "solver/packing/hard_discs.hpp"
 #include "solver/packing/random.hpp"
 

@@ -11,8 +11,8 @@
 
 #include <array>
 
-#include "solver/grid/cell.hpp"
-#include "solver/morphology/material_map.hpp"
+#include "solver/materials/material_map.hpp"
+#include "solver/mesh/cell.hpp"
 
 namespace crawford {
 

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "solver/grid/cell.hpp"
+#include "solver/mesh/cell.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace crawford {

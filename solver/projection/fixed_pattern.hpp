@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "solver/grid/cell.hpp"
 #include "solver/linear_solvers/spd_solver.hpp"
+#include "solver/mesh/cell.hpp"
 #include "solver/projection/checkerboard.hpp"
 
 namespace crawford {

@@ -1,6 +1,6 @@
 #include "solver/projection/projection.hpp"
 
-#include "solver/grid/node_lengths.hpp"
+#include "solver/mesh/node_lengths.hpp"
 #include "solver/projection/support.hpp"
 
 namespace crawford {

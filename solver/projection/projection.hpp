@@ -9,10 +9,10 @@
 #include <memory>
 
 #include "solver/linear_solvers/spd_solver.hpp"
-#include "solver/morphology/material_map.hpp"
+#include "solver/materials/material_map.hpp"
 #include "solver/projection/element.hpp"
 #include "solver/projection/fixed_pattern.hpp"
-#include "solver/simulation/sources.hpp"
+#include "solver/step/sources.hpp"
 #include "solver/stress/stress_field.hpp"
 
 namespace crawford {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/grid/grid.hpp"
+#include "solver/mesh/grid.hpp"
 
 namespace crawford {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "solver/fields/weno.hpp"
+#include "solver/mesh/weno.hpp"
 
 namespace crawford {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 
 namespace crawford {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 #include "solver/scene/units.hpp"
 
 namespace crawford {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "solver/scene/nearest_name.hpp"
+#include "base/nearest_name.hpp"
 #include "solver/scene/scene_keys.hpp"
 
 namespace crawford {

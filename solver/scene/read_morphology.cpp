@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 #include "solver/scene/read_discs.hpp"
 #include "solver/scene/read_materials.hpp"
 #include "solver/scene/read_pack.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 #include "solver/packing/apportion.hpp"
 #include "solver/scene/scene_keys.hpp"
 

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
+#include "base/nearest_name.hpp"
 #include "solver/scene/check_scene.hpp"
-#include "solver/scene/nearest_name.hpp"
 #include "solver/scene/overrides.hpp"
 #include "solver/scene/read_materials.hpp"
 #include "solver/scene/read_morphology.hpp"

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <utility>
 
-#include "solver/errors.hpp"
-#include "solver/scene/nearest_name.hpp"
+#include "base/errors.hpp"
+#include "base/nearest_name.hpp"
 #include "solver/scene/units.hpp"
 
 namespace crawford {

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "solver/errors.hpp"
+#include "base/errors.hpp"
 
 namespace crawford {
 

@@ -12,20 +12,20 @@ namespace crawford {
 
 namespace {
 
-std::string quoted(std::string_view text) {
-    std::string quoted = "\"";
+std::string in_quotes(std::string_view text) {
+    std::string in_quotes = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
         if (c == '"' || c == '\\') {
-            quoted += '\\';
-            quoted += c;
+            in_quotes += '\\';
+            in_quotes += c;
         } else if (byte < 0x20 || byte == 0x7f) {
-            quoted += fmt::format("\\u{:04x}", byte);
+            in_quotes += fmt::format("\\u{:04x}", byte);
         } else {
-            quoted += c;
+            in_quotes += c;
         }
     }
-    return quoted + '"';
+    return in_quotes + '"';
 }
 
 std::string with_unit(double value, const char* unit) {
@@ -56,7 +56,7 @@ public:
         line(key, fmt::format("{}", value));
     }
     void flag(const char* key, bool value) { line(key, value ? "true" : "false"); }
-    void text(const char* key, std::string_view value) { line(key, quoted(value)); }
+    void text(const char* key, std::string_view value) { line(key, in_quotes(value)); }
     template <class Choice, std::size_t n>
     void choice(const char* key, Choice value, const std::array<Word<Choice>, n>& words) {
         for (const auto& word : words) {
@@ -100,7 +100,7 @@ std::string heat_flux(const Scene& scene) {
     std::string fluxes;
     for (std::size_t i = 0; i < scene.morphology.materials.size(); ++i) {
         fluxes +=
-            fmt::format("{}{} = {}", i == 0 ? "" : ", ", quoted(scene.morphology.materials[i].name),
+            fmt::format("{}{} = {}", i == 0 ? "" : ", ", in_quotes(scene.morphology.materials[i].name),
                         with_unit(scene.surface.heat_flux.at(i), keys::heat_flux.unit));
     }
     return fmt::format("{{ {} }}", fluxes);
@@ -119,7 +119,7 @@ std::string to_toml(const Scene& scene) {
                s.morphology.shape);
     if (s.morphology.materials.size() > 1) keys::visit(out, s.morphology.indicator);
     for (Material& material : s.morphology.materials) {
-        out.section("materials." + quoted(material.name));
+        out.section("materials." + in_quotes(material.name));
         keys::visit(out, material, Need::required);
     }
     out.section("physics");

@@ -1,7 +1,7 @@
 /// Which values a stress stencil may read, along the rows and the columns of the grid.
 #pragma once
 
-#include "solver/morphology/material_map.hpp"
+#include "solver/materials/material_map.hpp"
 #include "solver/stress/upwind.hpp"
 
 namespace crawford {

@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "solver/fields/lattice.hpp"
+#include "solver/mesh/lattice.hpp"
 
 namespace crawford {
 

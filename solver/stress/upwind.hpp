@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "solver/fields/weno.hpp"
+#include "solver/mesh/weno.hpp"
 #include "solver/stress/stress_field.hpp"
 
 namespace crawford {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/scene/read_scene.hpp"
-#include "solver/simulation/simulation.hpp"
+#include "solver/step/simulation.hpp"
 
 namespace crawford {
 

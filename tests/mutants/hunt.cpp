@@ -17,19 +17,15 @@ bool in_solver(const Fault& fault) {
     return fault.file.starts_with("solver/");
 }
 
-/// Whether what a judge sees depends on a file: on all code, but of the cases and tests only on its
-/// own.
-bool depends_on(const Judge& judge, const std::string& file) {
+/// Whether what a judge sees depends on a file: on all code, but of the studies and tests only on
+/// its own.
+bool depends_on(const ScratchTree& tree, const Judge& judge, const std::string& file) {
     const auto in = [&](const char* folder) { return file.starts_with(folder); };
-    if (in("solver/") || in("reference/") || in("reports/") || in("cmake/") ||
-        in("cases/catalogue/") || in("cases/program/") || in("cases/scenes/") ||
-        file == "CMakeLists.txt")
-        return true;
-    if (judge.kind == Judge::Kind::tests)
-        return (in("tests/") && !in("tests/mutants/")) || in("cases/");
-    std::string own = "cases/" + judge.name + ".cpp";
-    std::ranges::replace(own, '-', '_');
-    return file == own;
+    if (in("tests/")) return judge.kind == Judge::Kind::tests && !in("tests/mutants/");
+    if (in("cases/") && judge.kind == Judge::Kind::study && tree.registers_studies(file))
+        return study_of(file) == judge.name;
+    return in("base/") || in("solver/") || in("reference/") || in("reports/") || in("cases/") ||
+           in("program/") || in("cmake/") || file == "CMakeLists.txt";
 }
 
 }  // namespace
@@ -64,7 +60,7 @@ std::vector<Judge> Hunt::judges_of(const Fault& fault) const {
 
 std::string Hunt::key(const Judge& judge, const Fault* fault) const {
     const std::string sources =
-        tree_.fingerprint([&](const std::string& file) { return depends_on(judge, file); });
+        tree_.fingerprint([&](const std::string& file) { return depends_on(tree_, judge, file); });
     const std::string change =
         fault ? fmt::format("{}\n{}\n{}", fault->file, fault->from, fault->to) : "sound";
     return digest(fmt::format("{}\n{}\n{}", sources, judge.label(), change));

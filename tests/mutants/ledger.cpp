@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "reports/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 namespace crawford::mutants {
 
@@ -29,7 +29,7 @@ std::optional<Finding> Ledger::find(const std::string& key) const {
 
 void Ledger::keep(const std::string& key, const Finding& finding) {
     findings_[key] = finding;
-    reports::write_atomically(file_, nlohmann::json(findings_).dump(1) + '\n');
+    write_file(file_, nlohmann::json(findings_).dump(1) + '\n');
 }
 
 }  // namespace crawford::mutants

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "reports/process.hpp"
+#include "base/process.hpp"
 
 namespace crawford::mutants {
 
@@ -29,7 +29,7 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 std::vector<std::string> files_known_to_git(const fs::path& sources) {
-    const auto listed = reports::run_program(
+    const auto listed = run_program(
         {"git", "-C", sources.string(), "ls-files", "--cached", "--others", "--exclude-standard"});
     if (listed.status != 0)
         throw std::runtime_error(sources.string() + " is no working tree of git");
@@ -82,16 +82,20 @@ std::string ScratchTree::fingerprint(const std::function<bool(const std::string&
 
 std::vector<std::string> ScratchTree::studies() const {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(copy_ / "cases")) {
-        if (entry.path().extension() != ".cpp" ||
-            text_of(entry.path()).find(".studies =") == std::string::npos)
-            continue;
-        std::string name = entry.path().stem().string();
-        std::ranges::replace(name, '_', '-');
-        names.push_back(std::move(name));
-    }
+    for (const auto& [file, digest_of_file] : digests_)
+        if (file.starts_with("cases/") && registers_studies(file)) names.push_back(study_of(file));
     std::ranges::sort(names);
     return names;
+}
+
+bool ScratchTree::registers_studies(const std::string& file) const {
+    return file.ends_with(".cpp") && read(file).find(".studies =") != std::string::npos;
+}
+
+std::string study_of(const std::string& file) {
+    std::string name = fs::path(file).stem().string();
+    std::ranges::replace(name, '_', '-');
+    return name;
 }
 
 ScratchTree::Planted::Planted(const ScratchTree& tree, const Fault& fault)

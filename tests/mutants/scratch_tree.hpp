@@ -25,8 +25,9 @@ public:
     /// A number for the contents of the files (relative paths) that `counts` wants to count.
     std::string fingerprint(const std::function<bool(const std::string&)>& counts) const;
 
-    /// Names of all studies: those of the files cases/*.cpp that register any.
+    /// Names of all studies: those of the files below cases/ that register any.
     std::vector<std::string> studies() const;
+    bool registers_studies(const std::string& file) const;
 
     /// The fault in its file, for as long as this lives.
     class Planted {
@@ -49,6 +50,9 @@ private:
     std::filesystem::path copy_;
     std::map<std::string, std::string> digests_;  ///< of each file
 };
+
+/// What the study in a file is called: "heat-time" in cases/verify/heat/heat_time.cpp.
+std::string study_of(const std::string& file);
 
 /// A number for a text, the same in every run.
 std::string digest(const std::string& text);

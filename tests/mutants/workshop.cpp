@@ -9,21 +9,20 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "reports/process.hpp"
+#include "base/process.hpp"
 
 namespace crawford::mutants {
 
 namespace {
 
 namespace fs = std::filesystem;
-using reports::Finished;
 
 constexpr int timed_out = 124;  // as `timeout` says it
 
 Finished run_limited(std::vector<std::string> command, double limit) {
     command.insert(command.begin(),
                    {"timeout", "--foreground", "--kill-after=10", fmt::format("{:.0f}", limit)});
-    return reports::run_program(command);
+    return run_program(command);
 }
 
 /// The gates that fell short, from what `crawford verify` leaves.
@@ -67,16 +66,15 @@ std::string end_of(int status, double limit) {
 
 Workshop::Workshop(fs::path tree, fs::path work, int jobs)
     : tree_(std::move(tree)), work_(std::move(work)), build_(work_ / "build"), jobs_(jobs) {
-    const auto configured =
-        reports::run_program({"cmake", "-S", tree_.string(), "-B", build_.string(), "-G", "Ninja",
-                              "-DCMAKE_BUILD_TYPE=Release"});
+    const auto configured = run_program({"cmake", "-S", tree_.string(), "-B", build_.string(), "-G",
+                                         "Ninja", "-DCMAKE_BUILD_TYPE=Release"});
     if (configured.status != 0) throw std::runtime_error(configured.output);
 }
 
 std::string Workshop::build(const Judge& judge) const {
     const std::string target = judge.kind == Judge::Kind::study ? "crawford" : "unit_tests";
-    const auto built = reports::run_program({"cmake", "--build", build_.string(), "--target",
-                                             target, "--parallel", std::to_string(jobs_)});
+    const auto built = run_program({"cmake", "--build", build_.string(), "--target", target,
+                                    "--parallel", std::to_string(jobs_)});
     return built.status == 0 ? "" : built.output;
 }
 

@@ -1,0 +1,54 @@
+#include "base/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+namespace crawford {
+
+namespace {
+
+constexpr size_t columns = 79;
+
+}  // namespace
+
+std::string clock_time(double seconds) {
+    const long whole = std::lround(seconds);
+    if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::string progress_line(const Standing& standing, long last_step, double seconds_to_go) {
+    const double percent = 100.0 * double(standing.step) / double(last_step);
+    const double cm = 1e-2, ms = 1e-3;
+    return fmt::format("{:5.1f} %  step {} of {}  t = {:.2f} ms  r_b = {:.4f} cm/s  ETA {}",
+                       percent, standing.step, last_step, standing.time / ms,
+                       standing.mean_burn_rate / cm, clock_time(seconds_to_go))
+        .substr(0, columns);
+}
+
+bool stderr_is_terminal() {
+    return isatty(STDERR_FILENO) == 1;
+}
+
+Progress::Progress(std::ostream& terminal, bool shown, long first_step, long last_step)
+    : terminal_(terminal), shown_(shown), first_step_(first_step), last_step_(last_step) {}
+
+Progress::~Progress() {
+    if (line_open_) terminal_ << std::endl;
+}
+
+void Progress::show(const Standing& standing) {
+    const auto now = Clock::now();
+    if (!shown_ || (now < next_ && standing.step < last_step_)) return;
+    next_ = now + std::chrono::milliseconds(100);
+    const std::chrono::duration<double> elapsed = now - started_;
+    const double pace = elapsed.count() / double(standing.step - first_step_);
+    const std::string line =
+        progress_line(standing, last_step_, pace * double(last_step_ - standing.step));
+    terminal_ << fmt::format("\r{:<{}}", line, columns) << std::flush;
+    line_open_ = true;
+}
+
+}  // namespace crawford

@@ -1,0 +1,87 @@
+/// # Figure 7: temperature, pressure and strain in a burning sandwich
+///
+/// A strip of binder, 60 um wide, between blocks of AP burns under 2 MPa; heat flows from the flame
+/// at 200 cal/(s cm2) into AP and 160 into the binder. The sandwich is symmetric: the right half is
+/// computed and mirrored, and it stands where it has burnt to, with its surface as it is.
+///
+/// What to trust: temperature, burn rate, and the strain away from the two corners where the
+/// interface meets the surface. Stress is singular there, so peak strain and peak pressure grow
+/// with every refinement and are given with their grid only; the mean over 5 um about the peak is
+/// the number to compare.
+
+#include <algorithm>
+#include <variant>
+
+#include "base/build_info.hpp"
+#include "cases/columns.hpp"
+#include "cases/registry.hpp"
+#include "cases/scenes/sandwich.hpp"
+#include "cases/scenes/sandwich_measures.hpp"
+#include "cases/units.hpp"
+
+namespace crawford {
+
+namespace {
+
+using namespace units;
+
+constexpr double shown_below_surface = 240 * um;
+constexpr double above_surface = 8 * um;
+constexpr double map_width = 340.0;  // [points]
+constexpr double left = 80.0, right = 110.0, foot = 90.0, head = 45.0;
+
+Outcome fig07(const Request& request) {
+    const Scene scene = burning_sandwich(request.fidelity, true);
+    const auto burn = kept_burn(scene, request);
+    const Snapshot& last = burn->last;
+    const Peak strain = peak(last, last.strain_norm, 5.0 * um);
+    const Peak pressure = peak(last, last.pressure, 5.0 * um);
+
+    const auto pressures = std::ranges::minmax(last.pressure.values());
+    const SurfaceLine surface = surface_line(last);
+    const double top = std::ranges::max(surface.height) + above_surface;
+    const double bottom = std::ranges::min(surface.height) - shown_below_surface;
+    const double map_height = map_width * (top - bottom) / scene.domain.width;
+    const double width = left + map_width + right, height = head + map_height + foot;
+
+    reports::Figure figure("fig07", request.out, "cases/paper/fig07.gp");
+    figure.map("T", whole_map(last, "T", "K", last.temperature, 1.0))
+        .map("p", whole_map(last, "p", "MPa", last.pressure, MPa))
+        .map("strain", whole_map(last, "strain norm", "-", last.strain_norm, 1.0))
+        .map("material", whole_map(last, "fraction of AP", "-", last.material, 1.0))
+        .table("surface",
+               {{"x", "um", scaled(surface.x, um)}, {"y", "um", scaled(surface.height, um)}})
+        .set("width", scene.domain.width / um)
+        .set("strip", std::get<Sandwich>(scene.morphology.shape).strip / um)
+        .set("bottom", bottom / um)
+        .set("top", top / um)
+        .set("left_side", left / width)
+        .set("right_side", 1.0 - right / width)
+        .set("foot_side", foot / height)
+        .set("head_side", 1.0 - head / height)
+        .set("lowest_pressure", pressures.min / MPa)
+        .set("largest_pressure", pressures.max / MPa)
+        .caption({.grid = grid_text(scene), .step = step_text(scene), .revision = revision()});
+    for (const char* panel : {"a", "b", "c"})
+        figure.panel(panel, reports::Format::png, {.width = int(width), .height = int(height)});
+    return {figure,
+            {{"mean burn rate", burn->mean_burn_rate.back() / (cm / s), "cm/s"},
+             {"strain norm, mean over 5 um about the peak", strain.mean, "-"},
+             {"strain norm, peak on this grid", strain.value, "-"},
+             {"pressure, mean over 5 um about the peak", pressure.mean / MPa, "MPa"},
+             {"pressure, peak on this grid", pressure.value / MPa, "MPa"}},
+            {scene}};
+}
+
+const Registered here{{.name = "fig07",
+                       .figure = "Fig. 7",
+                       .shows = "sandwich: maps of temperature, pressure, strain",
+                       .physics = {physics::heat, physics::burning, physics::stress,
+                                   physics::coupling, physics::reference_map, physics::sandwich},
+                       .cost = {.draft = 8.0, .paper = 80.0},
+                       .draw = fig07,
+                       .burns = [](Fidelity f) { return std::vector{burning_sandwich(f, true)}; }}};
+
+}  // namespace
+
+}  // namespace crawford

@@ -1,0 +1,49 @@
+#include "cases/verify/coupled/heated_block.hpp"
+
+#include "cases/units.hpp"
+#include "solver/step/simulation.hpp"
+
+namespace crawford {
+
+namespace {
+
+using namespace units;
+
+/// In which heat goes some 15 um into the binder and 20 um into AP, from a bottom that is held cold
+/// 240 um below the surface where T is read.
+constexpr double duration = 1.0 * ms;
+
+Scene block(const Material& material, HeatCapacity capacity, int steps) {
+    Scene scene;
+    scene.domain = {.width = 10.0 * um, .depth = 240.0 * um, .nx = 1, .ny = 24, .clustering = 0.0};
+    scene.morphology.materials = {material};
+    scene.physics = {.reference_map = false, .regression = Regression::none};
+    scene.surface.heat_flux = {0.0};
+    scene.numerics.heat_capacity = capacity;
+    scene.time.step = duration / steps;
+    scene.time.scheme = Stepping::bdf2;
+    return scene;
+}
+
+}  // namespace
+
+Heating heat_evenly(const Material& material, HeatCapacity capacity, double heat, int steps) {
+    const Scene scene = block(material, capacity, steps);
+    // Gently at first: a solid at rest knows nothing of the stress work of heat that is there at
+    // once.
+    Sources sources;
+    sources.heat = [heat](double, double, double t) {
+        return 2.0 * heat * t / (duration * duration);
+    };
+    Simulation simulation(scene, sources);
+    Heating heating;
+    for (int k = 1; k <= steps; ++k) {
+        simulation.step();
+        const double part = double(k) / steps;
+        heating.heat.push_back(heat * part * part);
+        heating.temperature.push_back(simulation.state().temperature(0, scene.domain.ny));
+    }
+    return heating;
+}
+
+}  // namespace crawford

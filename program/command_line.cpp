@@ -1,0 +1,220 @@
+#include "program/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "base/build_info.hpp"
+#include "base/errors.hpp"
+#include "base/nearest_name.hpp"
+#include "program/help.hpp"
+
+namespace crawford {
+
+namespace {
+
+/// The CLI11 parser and what it fills.
+struct Parser {
+    CLI::App app{help::program, "crawford"};
+    ListOptions list;
+    RunOptions run;
+    LedgerOptions ledger;
+    VerifyOptions verify;
+    ReportOptions report;
+    BurnSceneOptions burn;
+    PackOptions pack;
+    CLI::App* list_command = nullptr;
+    CLI::App* run_command = nullptr;
+    CLI::App* ledger_command = nullptr;
+    CLI::App* verify_command = nullptr;
+    CLI::App* report_command = nullptr;
+    CLI::App* burn_command = nullptr;
+    CLI::App* pack_command = nullptr;
+
+    Parser() {
+        app.set_version_flag("--version",
+                             fmt::format("crawford {} ({}, {})", version(), revision(), compiler()),
+                             "Print version, revision and compiler");
+        app.require_subcommand(1);
+        app.get_formatter()->column_width(34);
+        app.footer(help::program_examples);
+        add_list();
+        add_run();
+        add_ledger();
+        add_verify();
+        add_report();
+        add_burn();
+        add_pack();
+    }
+
+    void add_list() {
+        list_command = app.add_subcommand("list", "Show the catalogue of cases and studies");
+        list_command->add_flag("--studies", list.studies,
+                               "Only the studies, a name and its cost in seconds on each line");
+    }
+
+    void add_run() {
+        run_command = app.add_subcommand("run", help::run);
+        run_command->add_option("CASE", run.cases, "Cases to draw (crawford list)");
+        run_command->add_flag("--all", run.all, "Draw every case: 25 minutes at paper");
+        run_command->add_option("--fidelity", run.fidelity, "draft, paper or fine")
+            ->type_name("WORD")
+            ->capture_default_str();
+        add_out(run_command, run.out, "out")->capture_default_str();
+        run_command->add_flag("--again", run.again,
+                              "Draw also what is up to date (burns are kept)");
+        run_command->add_flag("--movie", run.movie,
+                              "Draw the movie of a case, DIR/figures/CASE.gif (fig13 has one)");
+        add_quiet(run_command, run.quiet);
+        run_command->footer(help::run_examples);
+    }
+
+    void add_ledger() {
+        ledger_command = app.add_subcommand("ledger", help::ledger);
+        ledger_command->add_flag("--settle", ledger.settle,
+                                 "Burn all that it rests on: hours at paper, minutes at draft");
+        ledger_command->add_option("--fidelity", ledger.fidelity, "draft, paper or fine")
+            ->type_name("WORD")
+            ->capture_default_str();
+        add_out(ledger_command, ledger.out, "out")->capture_default_str();
+        add_quiet(ledger_command, ledger.quiet);
+        ledger_command->footer(help::ledger_examples);
+    }
+
+    void add_verify() {
+        verify_command = app.add_subcommand("verify", help::verify);
+        verify_command->add_option("STUDY", verify.studies, "Studies to run; all if none is named");
+        verify_command
+            ->add_option("--grids", verify.grids, "Only these grids: a quick look, or a finer one")
+            ->type_name("N,N,...")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+        add_out(verify_command, verify.out, "out/verify")->capture_default_str();
+        add_quiet(verify_command, verify.quiet);
+        verify_command->footer(help::verify_examples);
+    }
+
+    void add_report() {
+        report_command = app.add_subcommand("report", help::report);
+        report_command->add_option("--out", report.out, "Directory with results")
+            ->type_name("DIR")
+            ->capture_default_str();
+        report_command->footer(help::report_examples);
+    }
+
+    void add_burn() {
+        burn_command = app.add_subcommand("burn", help::burn);
+        burn_command->add_option("SCENE", burn.scene, "Scene file (TOML), see cases/scenes/")
+            ->required();
+        add_set(burn_command, burn.set, "surface.pressure=\"3 MPa\"");
+        add_out(burn_command, burn.out, "out/<name of the scene>");
+        burn_command->add_option("--restart", burn.restart, "Go on from a checkpoint of this scene")
+            ->type_name("FILE");
+        burn_command->add_flag("--timing", burn.timing, "Print where the time went");
+        add_quiet(burn_command, burn.quiet);
+        burn_command->footer(help::burn_examples);
+    }
+
+    void add_pack() {
+        pack_command = app.add_subcommand("pack", help::pack);
+        pack_command->add_option("SCENE", pack.scene, "Scene file (TOML) with a pack")->required();
+        add_set(pack_command, pack.set, "morphology.seed=2");
+        pack_command
+            ->add_option("--out", pack.out, "Table to write, else out/<name of the scene>.csv")
+            ->type_name("FILE");
+        pack_command->footer(help::pack_examples);
+    }
+
+    static void add_set(CLI::App* command, std::vector<std::string>& set, const char* example) {
+        command->add_option("--set", set, fmt::format("Set a key of the scene, e.g. {}", example))
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+    }
+
+    static CLI::Option* add_out(CLI::App* command, std::filesystem::path& out, const char* usual) {
+        return command
+            ->add_option("--out", out, fmt::format("Directory for the results, else {}", usual))
+            ->type_name("DIR");
+    }
+
+    static void add_quiet(CLI::App* command, bool& quiet) {
+        command->add_flag("--quiet,-q", quiet, "No progress on stderr");
+    }
+
+    /// The command that was named, or the program.
+    const CLI::App& named() const {
+        const auto commands = app.get_subcommands();
+        return commands.empty() ? app : *commands.front();
+    }
+};
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return names;
+}
+
+[[noreturn]] void refuse_unknown(const Parser& parser, const std::string& word) {
+    const CLI::App& command = parser.named();
+    const std::string typed = word.substr(0, word.find('='));
+    if (typed.starts_with("-"))
+        throw InputError(
+            fmt::format("unknown option {}{}", typed, suggestion(typed, option_names(command))));
+    if (&command == &parser.app)
+        throw InputError(fmt::format("unknown command {}{}", typed,
+                                     suggestion(typed, command_names(parser.app))));
+    throw InputError(
+        fmt::format("unexpected argument {}; see crawford {} --help", typed, command.get_name()));
+}
+
+[[noreturn]] void refuse(const Parser& parser, const CLI::ParseError& error) {
+    const auto unknown = parser.app.remaining(true);
+    if (!unknown.empty()) refuse_unknown(parser, unknown.front());
+    const CLI::App& command = parser.named();
+    if (&command == &parser.app)
+        throw InputError(
+            "a command is missing: list, run, ledger, verify, report, burn or pack; see crawford "
+            "--help");
+    throw InputError(fmt::format("{}; see crawford {} --help", error.what(), command.get_name()));
+}
+
+Job job_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) {
+    if (parser->list_command->parsed()) return [parser] { return list(parser->list); };
+    if (parser->report_command->parsed()) return [parser] { return report(parser->report); };
+    if (parser->run_command->parsed())
+        return [parser, arguments] { return run(parser->run, arguments); };
+    if (parser->ledger_command->parsed())
+        return [parser, arguments] { return settle_ledger(parser->ledger, arguments); };
+    if (parser->verify_command->parsed())
+        return [parser, arguments] { return verify(parser->verify, arguments); };
+    if (parser->pack_command->parsed()) return [parser] { return pack(parser->pack); };
+    return [parser, arguments] { return burn(parser->burn, arguments); };
+}
+
+}  // namespace
+
+std::variant<Job, Answer> read_command_line(const CommandLine& arguments) {
+    const auto parser = std::make_shared<Parser>();
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend() - 1);
+    try {
+        parser->app.parse(std::move(reversed));
+    } catch (const CLI::CallForHelp&) {
+        return Answer{parser->app.help()};
+    } catch (const CLI::CallForVersion& answer) {
+        return Answer{std::string(answer.what()) + '\n'};
+    } catch (const CLI::ParseError& error) {
+        refuse(*parser, error);
+    }
+    return job_of(parser, arguments);
+}
+
+}  // namespace crawford

@@ -1,0 +1,30 @@
+#include "program/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <new>
+
+#include "base/errors.hpp"
+#include "program/commands.hpp"
+#include "reports/figure.hpp"
+
+namespace crawford {
+
+Failure failure_of(const std::exception_ptr& problem) {
+    try {
+        std::rethrow_exception(problem);
+    } catch (const InputError& error) {
+        return {error.what(), exit_code::wrong_input};
+    } catch (const reports::FigureFailed& error) {
+        return {error.what(), exit_code::wrong_input};
+    } catch (const NumericalFailure& error) {
+        return {error.what(), exit_code::numbers_failed};
+    } catch (const std::bad_alloc&) {
+        return {"out of memory; use fewer cells", exit_code::numbers_failed};
+    } catch (const std::exception& error) {
+        return {fmt::format("internal error: {}", error.what()), exit_code::numbers_failed};
+    }
+}
+
+}  // namespace crawford

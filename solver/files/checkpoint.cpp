@@ -1,0 +1,180 @@
+#include "solver/files/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "base/errors.hpp"
+#include "solver/files/hdf5_file.hpp"
+#include "solver/files/scene_difference.hpp"
+
+namespace crawford {
+
+namespace {
+
+constexpr std::int64_t format_version = 1;
+
+using Numbers = std::span<const double>;
+using Shape = Hdf5File::Shape;
+
+// How a value of a field becomes numbers and back.
+template <class Value>
+constexpr hsize_t components = 1;
+template <>
+constexpr hsize_t components<Vector> = 2;
+template <>
+constexpr hsize_t components<Deviator> = 3;
+
+void append(std::vector<double>& numbers, double value) {
+    numbers.push_back(value);
+}
+void append(std::vector<double>& numbers, const Vector& v) {
+    numbers.insert(numbers.end(), {v.x(), v.y()});
+}
+void append(std::vector<double>& numbers, const Deviator& s) {
+    numbers.insert(numbers.end(), {s.s11, s.s22, s.s12});
+}
+
+void take(const double* numbers, double& value) {
+    value = numbers[0];
+}
+void take(const double* numbers, Vector& v) {
+    v = {numbers[0], numbers[1]};
+}
+void take(const double* numbers, Deviator& s) {
+    s = {numbers[0], numbers[1], numbers[2]};
+}
+
+template <class Value>
+void write(Hdf5File& file, const std::string& path, const Lattice<Value>& field,
+           const std::string& units) {
+    if (field.empty()) return;
+    std::vector<double> numbers;
+    for (const Value& value : field.values()) append(numbers, value);
+    file.write(path, Numbers(numbers),
+               {hsize_t(field.columns()), hsize_t(field.rows()), components<Value>}, units);
+}
+
+template <class Value>
+Lattice<Value> read(const Hdf5File& file, const std::string& path) {
+    if (!file.contains(path)) return {};
+    const Shape shape = file.shape(path);
+    if (shape.size() != 3 || shape[2] != components<Value>)
+        throw InputError(path + " has a shape that no checkpoint has");
+    const std::vector<double> numbers = file.read<double>(path);
+    Lattice<Value> field(static_cast<int>(shape[0]), static_cast<int>(shape[1]));
+    for (size_t k = 0; k < field.values().size(); ++k)
+        take(&numbers[k * components<Value>], field.values()[k]);
+    return field;
+}
+
+template <class Number>
+Number read_one(const Hdf5File& file, const std::string& path) {
+    const std::vector<Number> numbers = file.read<Number>(path);
+    if (numbers.size() != 1) throw InputError(path + " is not one number");
+    return numbers.front();
+}
+
+std::string deviator_path(const std::string& group, int point) {
+    return fmt::format("{}/deviator_{}", group, point);
+}
+
+void write_state(Hdf5File& file, const std::string& group, const State& state) {
+    const std::int64_t step = state.step;
+    file.create_group(group);
+    file.write(group + "/step", std::span(&step, 1), {}, "1");
+    file.write(group + "/time", Numbers(&state.time, 1), {}, "s");
+    file.write(group + "/surface", Numbers(state.surface), {state.surface.size()}, "m");
+    write(file, group + "/temperature", state.temperature, "K");
+    write(file, group + "/velocity", state.velocity, "m/s");
+    for (int point = 0; point < state.stress.points(); ++point)
+        write(file, deviator_path(group, point), state.stress.deviator[size_t(point)], "Pa");
+    write(file, group + "/pressure", state.stress.pressure, "Pa");
+    write(file, group + "/temperature_rate", state.temperature_rate, "K/s");
+    write(file, group + "/reference_shift", state.reference_shift, "m");
+}
+
+State read_state(const Hdf5File& file, const std::string& group) {
+    State state;
+    state.step = read_one<std::int64_t>(file, group + "/step");
+    state.time = read_one<double>(file, group + "/time");
+    state.surface = file.read<double>(group + "/surface");
+    state.temperature = read<double>(file, group + "/temperature");
+    state.velocity = read<Vector>(file, group + "/velocity");
+    for (int point = 0; file.contains(deviator_path(group, point)); ++point)
+        state.stress.deviator.push_back(read<Deviator>(file, deviator_path(group, point)));
+    state.stress.pressure = read<double>(file, group + "/pressure");
+    state.temperature_rate = read<double>(file, group + "/temperature_rate");
+    state.reference_shift = read<Vector>(file, group + "/reference_shift");
+    return state;
+}
+
+/// With the state before it, where the scheme looks back that far.
+State read_states(const Hdf5File& file) {
+    State state = read_state(file, "/state");
+    if (file.contains("/previous"))
+        state.previous = std::make_shared<const State>(read_state(file, "/previous"));
+    return state;
+}
+
+void write_window(Hdf5File& file, const std::vector<Sample>& window) {
+    std::vector<double> times, values;
+    for (const Sample& sample : window) {
+        times.push_back(sample.time);
+        values.push_back(sample.value);
+    }
+    if (window.empty()) return;
+    file.create_group("/window");
+    file.write("/window/time", Numbers(times), {times.size()}, "s");
+    file.write("/window/value", Numbers(values), {values.size()}, "SI");
+}
+
+std::vector<Sample> read_window(const Hdf5File& file) {
+    if (!file.contains("/window")) return {};
+    const std::vector<double> times = file.read<double>("/window/time");
+    const std::vector<double> values = file.read<double>("/window/value");
+    if (values.size() != times.size()) throw InputError("/window has times without values");
+    std::vector<Sample> window;
+    for (size_t k = 0; k < times.size(); ++k) window.push_back({times[k], values[k]});
+    return window;
+}
+
+}  // namespace
+
+std::filesystem::path checkpoint_file(const std::filesystem::path& directory,
+                                      const std::string& name, long step) {
+    return directory / fmt::format("{}_checkpoint_{:06d}.h5", name, step);
+}
+
+void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
+                     const Provenance& provenance) {
+    Hdf5File file = Hdf5File::create(path);
+    file.create_group("/crawford");
+    file.write("/crawford/checkpoint_format", std::span(&format_version, 1), {}, "1");
+    file.set_attribute("/crawford", "scene", provenance.scene);
+    file.set_attribute("/crawford", "version", provenance.version);
+    file.set_attribute("/crawford", "revision", provenance.revision);
+    write_state(file, "/state", checkpoint.state);
+    if (checkpoint.state.previous) write_state(file, "/previous", *checkpoint.state.previous);
+    write_window(file, checkpoint.window);
+    file.publish();
+}
+
+Checkpoint load_checkpoint(const std::filesystem::path& path, const std::string& scene) {
+    const Hdf5File file = Hdf5File::open(path);
+    if (!file.contains("/crawford/checkpoint_format"))
+        throw InputError(
+            fmt::format("{} is no checkpoint; give one that `crawford burn` wrote", path.string()));
+    const auto version = read_one<std::int64_t>(file, "/crawford/checkpoint_format");
+    if (version != format_version)
+        throw InputError(fmt::format("{} has checkpoint format {}; this program reads {}",
+                                     path.string(), version, format_version));
+    if (const auto key = difference(file.text_attribute("/crawford", "scene"), scene))
+        throw InputError(
+            fmt::format("{} is a checkpoint of another scene: {}; restart with the "
+                        "scene it was written for",
+                        path.string(), *key));
+    return {read_states(file), read_window(file)};
+}
+
+}  // namespace crawford

@@ -1,0 +1,51 @@
+#include "solver/files/manifest.hpp"
+
+#include <fmt/chrono.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.hpp"
+#include "base/build_info.hpp"
+#include "solver/files/machine.hpp"
+
+namespace crawford {
+
+namespace {
+
+std::string time_of_day(std::chrono::system_clock::time_point time) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                       fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
+}
+
+}  // namespace
+
+void write_manifest(const std::filesystem::path& path, const Manifest& manifest) {
+    const std::chrono::duration<double> wall = manifest.ended - manifest.started;
+    nlohmann::ordered_json json = {
+        {"program", "crawford"},
+        {"version", version()},
+        {"revision", revision()},
+        {"solver_fingerprint", solver_fingerprint()},
+        {"compiler", compiler()},
+        {"flags", flags()},
+        {"libraries", libraries()},
+        {"machine", machine()},
+        {"command", manifest.command},
+        {"outcome", manifest.outcome},
+        {"started", time_of_day(manifest.started)},
+        {"ended", time_of_day(manifest.ended)},
+        {"wall_seconds", wall.count()},
+        {"peak_memory_bytes", peak_memory()},
+        {"first_step", manifest.first_step},
+        {"last_step", manifest.last_step},
+        {"time_seconds", manifest.time},
+        {"seeds", manifest.seeds},
+        {"scene", manifest.scene},
+    };
+    if (manifest.restarted_from) json["restarted_from"] = *manifest.restarted_from;
+    // A file name need not be UTF-8; a manifest with a replaced character is better than none.
+    write_file(path,
+               json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+}
+
+}  // namespace crawford

@@ -1,0 +1,74 @@
+#include "solver/files/scene_difference.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <map>
+#include <sstream>
+
+#include "base/errors.hpp"
+
+namespace crawford {
+
+namespace {
+
+using Values = std::map<std::string, std::string>;
+
+std::string printed(const toml::node& node) {
+    std::ostringstream text;
+    node.visit([&](const auto& value) { text << value; });
+    return text.str();
+}
+
+void flatten(const toml::node& node, const std::string& path, Values& values) {
+    if (const toml::table* table = node.as_table()) {
+        for (const auto& [key, value] : *table)
+            flatten(value,
+                    path.empty() ? std::string(key.str()) : path + '.' + std::string(key.str()),
+                    values);
+    } else if (const toml::array* array = node.as_array()) {
+        for (size_t k = 0; k < array->size(); ++k)
+            flatten((*array)[k], fmt::format("{}[{}]", path, k), values);
+    } else {
+        values[path] = printed(node);
+    }
+}
+
+Values parse(const std::string& scene) {
+    Values values;
+    try {
+        flatten(toml::parse(scene), "", values);
+    } catch (const toml::parse_error& error) {
+        throw InputError(fmt::format("a scene that is no TOML: {}", error.description()));
+    }
+    std::erase_if(values, [](const auto& item) {
+        const std::string& key = item.first;
+        return key == "title" || key == "time.end" || key == "time.until_steady" ||
+               key == "morphology.source" || key.starts_with("output.");
+    });
+    return values;
+}
+
+std::string value_of(const Values& values, const std::string& key) {
+    const auto found = values.find(key);
+    return found == values.end() ? "not given" : found->second;
+}
+
+}  // namespace
+
+std::optional<std::string> difference(const std::string& checkpoint, const std::string& scene) {
+    const Values old_values = parse(checkpoint);
+    const Values new_values = parse(scene);
+    Values all = old_values;
+    all.insert(new_values.begin(), new_values.end());
+    for (const auto& [key, _] : all) {
+        const std::string old_value = value_of(old_values, key);
+        const std::string new_value = value_of(new_values, key);
+        if (old_value != new_value)
+            return fmt::format("{} is {} in the checkpoint and {} in the scene", key, old_value,
+                               new_value);
+    }
+    return std::nullopt;
+}
+
+}  // namespace crawford

@@ -1,0 +1,31 @@
+#include "solver/mesh/grid.hpp"
+
+#include <cmath>
+
+namespace crawford {
+
+Grid::Grid(const Domain& domain)
+    : sides_(domain.half ? Sides::mirror : Sides::periodic),
+      cell_columns_(domain.half ? domain.nx / 2 : domain.nx),
+      rows_(domain.ny),
+      dx_(domain.width / domain.nx),
+      left_(domain.half ? 0.0 : -0.5 * domain.width),
+      depth_(domain.depth) {
+    for (int j = 0; j <= rows_; ++j) {
+        // Paper eq. 32 with z = etahat/Ly: eta = Ly z (2 - z^2)^-c.
+        const double z = double(j) / rows_ - 1.0;
+        const double stretch = std::pow(2.0 - z * z, -domain.clustering);
+        const double derivative = stretch * (1.0 + 2.0 * domain.clustering * z * z / (2.0 - z * z));
+        eta_.push_back(depth_ * z * stretch);
+        metric_.push_back(depth_ * derivative / rows_);
+    }
+}
+
+NodeColumn Grid::node_column(int i) const {
+    const int period = sides_ == Sides::periodic ? cell_columns_ : 2 * cell_columns_;
+    const int within = ((i % period) + period) % period;
+    if (within < node_columns()) return {within, false};
+    return {period - within, true};
+}
+
+}  // namespace crawford

@@ -1,0 +1,133 @@
+#include "solver/run/burn.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <utility>
+
+#include "base/atomic_file.hpp"
+#include "base/build_info.hpp"
+#include "base/errors.hpp"
+#include "base/progress.hpp"
+#include "solver/files/checkpoint.hpp"
+#include "solver/files/manifest.hpp"
+#include "solver/run/recorder.hpp"
+#include "solver/run/timing_table.hpp"
+#include "solver/scene/write_scene.hpp"
+
+namespace crawford {
+
+long last_step(const Time& time) {
+    return std::lround(std::ceil(time.end / time.step - 1e-6));
+}
+
+namespace {
+
+class Run {
+public:
+    Run(const Scene& scene, const BurnOptions& options, const Sources& sources)
+        : options_(options),
+          last_step_(last_step(scene.time)),
+          simulation_(scene, sources),
+          steadiness_(scene) {
+        manifest_.scene = to_toml(scene);
+        if (options.restart) restart(*options.restart);
+        prepare_directory(options.directory);
+        manifest_.command = options.command;
+        manifest_.seeds = options.seeds;
+        manifest_.first_step = simulation_.state().step;
+        manifest_.started = std::chrono::system_clock::now();
+    }
+
+    BurnOutcome to_the_end() {
+        write("running");
+        Recorder recorder(options_.directory, options_.name,
+                          {manifest_.scene, version(), revision()}, simulation_);
+        try {
+            advance(recorder);
+        } catch (const NumericalFailure& failure) {
+            give_up(recorder, failure);
+        }
+        const auto checkpoint = recorder.keep(simulation_, steadiness_.window());
+        write("done");
+        return outcome(checkpoint);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void restart(const std::filesystem::path& file) {
+        Checkpoint checkpoint = load_checkpoint(file, manifest_.scene);
+        simulation_.restore(std::move(checkpoint.state));
+        steadiness_.resume(checkpoint.window);
+        manifest_.restarted_from = file.string();
+        if (simulation_.state().step >= last_step_)
+            throw InputError(
+                fmt::format("{} is at {} s, which is not before time.end = {} s; set "
+                            "a later time.end",
+                            file.string(), simulation_.state().time, simulation_.scene().time.end));
+    }
+
+    void advance(Recorder& recorder) {
+        Progress progress(std::cerr, !options_.quiet && stderr_is_terminal(),
+                          simulation_.state().step, last_step_);
+        const State& state = simulation_.state();
+        while (state.step < last_step_ && !steadiness_.reached()) {
+            const double before = state.time;
+            simulation_.step();
+            const Summary summary = simulation_.summary();
+            steadiness_.record(state, summary);
+            recorder.record(simulation_, summary, before, steadiness_.window());
+            progress.show({state.step, state.time, summary.mean_burn_rate});
+            if (options_.progress) options_.progress(double(state.step) / double(last_step_));
+        }
+    }
+
+    /// Keeps the last good state and says where.
+    [[noreturn]] void give_up(Recorder& recorder, const NumericalFailure& failure) {
+        std::string kept;
+        try {
+            kept = "the last good state is kept in " +
+                   recorder.keep(simulation_, steadiness_.window()).string();
+            write(std::string("failed: ") + failure.what());
+        } catch (const InputError& error) {
+            kept = fmt::format("the last good state is lost: {}", error.what());
+        }
+        throw NumericalFailure(fmt::format("{}; {}", failure.what(), kept));
+    }
+
+    void write(const std::string& outcome) {
+        manifest_.outcome = outcome;
+        manifest_.last_step = simulation_.state().step;
+        manifest_.time = simulation_.state().time;
+        manifest_.ended = std::chrono::system_clock::now();
+        write_manifest(options_.directory / "manifest.json", manifest_);
+    }
+
+    BurnOutcome outcome(const std::filesystem::path& checkpoint) const {
+        const State& state = simulation_.state();
+        const std::chrono::duration<double> wall = Clock::now() - started_;
+        if (options_.timing)
+            std::cout << timing_table(simulation_.timing(), wall.count(),
+                                      state.step - manifest_.first_step);
+        return {state.step,   state.time, steadiness_.reached(), simulation_.summary(),
+                wall.count(), checkpoint};
+    }
+
+    const BurnOptions& options_;
+    const long last_step_;
+    Clock::time_point started_ = Clock::now();
+    Simulation simulation_;
+    Steadiness steadiness_;
+    Manifest manifest_;
+};
+
+}  // namespace
+
+BurnOutcome burn(const Scene& scene, const BurnOptions& options, const Sources& sources) {
+    return Run(scene, options, sources).to_the_end();
+}
+
+}  // namespace crawford

@@ -1,0 +1,48 @@
+/// One run from a scene to files: what `crawford burn` does.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/step/simulation.hpp"
+
+namespace crawford {
+
+/// The last step of a run. An end that is no multiple of the step is passed by the least that
+/// covers it.
+long last_step(const Time& time);
+
+struct BurnOptions {
+    std::string name;                                   ///< what the files' names begin with
+    std::filesystem::path directory;                    ///< where they go; created if missing
+    std::optional<std::filesystem::path> restart = {};  ///< a checkpoint to go on from
+    std::vector<std::string> command = {};              ///< the command line, for the manifest
+    std::vector<std::uint64_t> seeds = {};              ///< of what was random in the scene
+    bool quiet = false;                                 ///< no progress on stderr
+    /// Told after each step how much is done, 0 to 1.
+    std::function<void(double)> progress = {};
+    bool timing = false;  ///< print the table of rooms on stdout
+};
+
+struct BurnOutcome {
+    long step;                         ///< the last
+    double time;                       ///< reached [s]
+    bool steady;                       ///< ended by time.until_steady
+    Summary summary;                   ///< of the last step
+    double seconds;                    ///< wall time of the steps and their output
+    std::filesystem::path checkpoint;  ///< of the last state
+};
+
+/// Runs to time.end or until it is steady, and writes history, snapshots, checkpoints and
+/// manifest.json. The last state always gets a snapshot and a checkpoint. \throws InputError before
+/// anything is computed if the checkpoint is not of this scene or the directory is not
+///         writable; later if a file cannot be written.
+/// \throws NumericalFailure if a step fails; snapshot and checkpoint of the last good state are
+/// then written and named.
+BurnOutcome burn(const Scene& scene, const BurnOptions& options, const Sources& sources = {});
+
+}  // namespace crawford

@@ -1,0 +1,94 @@
+#include "solver/run/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "solver/files/checkpoint.hpp"
+#include "solver/run/peak.hpp"
+
+namespace crawford {
+
+namespace {
+
+History open_history(const std::filesystem::path& path, const State& state) {
+    return state.step == 0 ? History::start(path) : History::resume(path, state.time);
+}
+
+HistoryRow row(const Simulation& simulation, const Summary& summary) {
+    const State& state = simulation.state();
+    HistoryRow row{.time = state.time,
+                   .mean_burn_rate = summary.mean_burn_rate,
+                   .largest_temperature = summary.largest_temperature,
+                   .largest_strain = summary.largest_strain,
+                   .residual = summary.residual,
+                   .solver_iterations = summary.solver_iterations,
+                   .strain_about_peak = 0.0,
+                   .largest_pressure = 0.0,
+                   .pressure_about_peak = 0.0};
+    if (state.stress.pressure.empty()) return row;
+    const NodeVectors position = positions(simulation.grid(), state.surface);
+    const CellField material = simulation.material_fraction();
+    const Peak pressure = peak(position, material, state.stress.pressure, peak_radius);
+    row.largest_pressure = pressure.value;
+    row.pressure_about_peak = pressure.mean;
+    if (!state.reference_shift.empty())
+        row.strain_about_peak =
+            peak(position, material, simulation.strain_norm(), peak_radius).mean;
+    return row;
+}
+
+}  // namespace
+
+bool is_due(double before, double after, double interval) {
+    constexpr double grace = 1e-6;  // of an interval: times are sums of steps
+    return std::floor(after / interval + grace) > std::floor(before / interval + grace);
+}
+
+Recorder::Recorder(std::filesystem::path directory, std::string name, Provenance provenance,
+                   const Simulation& simulation)
+    : directory_(std::move(directory)),
+      name_(std::move(name)),
+      provenance_(std::move(provenance)),
+      output_(simulation.scene().output),
+      history_(open_history(directory_ / (name_ + "_history.csv"), simulation.state())),
+      snapshots_(directory_, name_, provenance_) {
+    if (simulation.state().step > 0)
+        snapshots_.resume(simulation.state().time);
+    else if (output_.snapshots_every)
+        take_snapshot(simulation);
+}
+
+void Recorder::record(Simulation& simulation, const Summary& summary, double before,
+                      const std::vector<Sample>& window) {
+    const State& state = simulation.state();
+    if (state.step % output_.history_every == 0) history_.append(row(simulation, summary));
+    if (output_.snapshots_every && is_due(before, state.time, *output_.snapshots_every))
+        take_snapshot(simulation);
+    if (output_.checkpoint_every && is_due(before, state.time, *output_.checkpoint_every)) {
+        take_checkpoint(simulation, window);
+        simulation.forget_factorisation();
+    }
+}
+
+std::filesystem::path Recorder::keep(const Simulation& simulation,
+                                     const std::vector<Sample>& window) {
+    if (simulation.state().step != last_snapshot_) take_snapshot(simulation);
+    return take_checkpoint(simulation, window);
+}
+
+void Recorder::take_snapshot(const Simulation& simulation) {
+    snapshots_.write(collect_snapshot(simulation));
+    last_snapshot_ = simulation.state().step;
+}
+
+std::filesystem::path Recorder::take_checkpoint(const Simulation& simulation,
+                                                const std::vector<Sample>& window) {
+    const State& state = simulation.state();
+    auto path = checkpoint_file(directory_, name_, state.step);
+    save_checkpoint(path, {state, window}, provenance_);
+    return path;
+}
+
+}  // namespace crawford

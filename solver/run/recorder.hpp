@@ -1,0 +1,51 @@
+/// Everything a run writes on its way: history, snapshots, checkpoints.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solver/files/history.hpp"
+#include "solver/files/provenance.hpp"
+#include "solver/files/snapshot_series.hpp"
+#include "solver/run/steadiness.hpp"
+#include "solver/step/simulation.hpp"
+
+namespace crawford {
+
+/// Whether a multiple of `interval` lies in (before, after]: with times alone, so that a restarted
+/// run writes when the unbroken one does.
+bool is_due(double before, double after, double interval);
+
+class Recorder {
+public:
+    /// For a run that begins with the state of `simulation`: at step 0 the files are new, later
+    /// they go on from there.
+    /// \throws InputError if they cannot be written or gone on with.
+    Recorder(std::filesystem::path directory, std::string name, Provenance provenance,
+             const Simulation& simulation);
+
+    /// Writes what is due after a step that began at time `before` [s]. At a checkpoint the
+    /// simulation forgets its factorisation, as a restarted run has none.
+    void record(Simulation& simulation, const Summary& summary, double before,
+                const std::vector<Sample>& window);
+
+    /// Writes snapshot and checkpoint of the present state, unless they are written already.
+    /// \returns the checkpoint's file.
+    std::filesystem::path keep(const Simulation& simulation, const std::vector<Sample>& window);
+
+private:
+    void take_snapshot(const Simulation& simulation);
+    std::filesystem::path take_checkpoint(const Simulation& simulation,
+                                          const std::vector<Sample>& window);
+
+    std::filesystem::path directory_;
+    std::string name_;
+    Provenance provenance_;
+    Output output_;
+    History history_;
+    SnapshotSeries snapshots_;
+    long last_snapshot_ = -1;  ///< step
+};
+
+}  // namespace crawford

@@ -1,0 +1,15 @@
+/// Where the time of a run went.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/step/simulation.hpp"
+
+namespace crawford {
+
+/// A table of seconds, share and milliseconds a step for each room; what `seconds`, the whole,
+/// leaves over is output and bookkeeping.
+std::string timing_table(const std::vector<RoomTime>& rooms, double seconds, long steps);
+
+}  // namespace crawford

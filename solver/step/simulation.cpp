@@ -1,0 +1,328 @@
+#include "solver/step/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "solver/burning/burn_rate.hpp"
+#include "solver/burning/surface_motion.hpp"
+#include "solver/heat/heat_step.hpp"
+#include "solver/projection/projection.hpp"
+#include "solver/reference_map/reference_map.hpp"
+#include "solver/stress/stress_step.hpp"
+
+namespace crawford {
+
+namespace {
+
+State cold_and_at_rest(const Scene& scene, const Grid& grid) {
+    const int columns = grid.node_columns();
+    const int rows = grid.rows() + 1;
+    State state;
+    state.surface.assign(size_t(columns), 0.0);
+    if (scene.physics.heat) state.temperature = NodeField(columns, rows, scene.bottom.temperature);
+    if (scene.physics.mechanics) {
+        state.velocity = NodeVectors(columns, rows);
+        state.stress = StressField(grid.cell_columns(), grid.rows(),
+                                   int(stress_points(scene.numerics.element).size()));
+    }
+    if (scene.physics.heat && scene.physics.mechanics)
+        state.temperature_rate = CellField(grid.cell_columns(), grid.rows());
+    if (scene.physics.reference_map) state.reference_shift = NodeVectors(columns, rows);
+    return state;
+}
+
+void check_finite(const NodeVectors& field, const char* room, const char* name) {
+    for (int i = 0; i < field.columns(); ++i)
+        for (int j = 0; j < field.rows(); ++j)
+            if (!field(i, j).allFinite())
+                throw NumericalFailure(
+                    fmt::format("{}: {} is not a number at node ({}, {})", room, name, i, j));
+}
+
+void check_finite(const StressField& stress) {
+    for (int i = 0; i < stress.pressure.columns(); ++i)
+        for (int j = 0; j < stress.pressure.rows(); ++j) {
+            const PlaneStress mean = stress.mean(i, j);
+            if (!std::isfinite(mean.s11 + mean.s22 + mean.s33 + mean.s12))
+                throw NumericalFailure(
+                    fmt::format("stress: the stress is not a number in cell ({}, {})", i, j));
+        }
+}
+
+bool same_shape(const State& a, const State& b) {
+    return a.surface.size() == b.surface.size() &&
+           a.temperature.values().size() == b.temperature.values().size() &&
+           a.velocity.values().size() == b.velocity.values().size() &&
+           a.stress.points() == b.stress.points() &&
+           a.stress.pressure.values().size() == b.stress.pressure.values().size() &&
+           a.temperature_rate.values().size() == b.temperature_rate.values().size() &&
+           a.reference_shift.values().size() == b.reference_shift.values().size();
+}
+
+}  // namespace
+
+struct Simulation::Rooms {
+    Scene scene;
+    Sources sources;
+    Grid grid;
+    MaterialMap materials;
+    BurningLaw law;
+    Checkerboard checkerboard;
+    std::unique_ptr<HeatStep> heat;
+    std::unique_ptr<StressStep> stress;
+    std::unique_ptr<Projection> projection;
+    State state;
+    Stopwatch stopwatch;
+    int solver_iterations = 0;
+    CellField shear_modulus_before;  ///< of the last step, where the morphology moves
+
+    Rooms(Scene s, Sources given)
+        : scene(std::move(s)),
+          sources(std::move(given)),
+          grid(scene.domain),
+          materials(scene.morphology, grid, scene.numerics),
+          law(scene.physics.regression, scene.surface),
+          checkerboard(grid, materials, scene.numerics.element),
+          state(cold_and_at_rest(scene, grid)) {
+        if (scene.physics.heat)
+            heat = std::make_unique<HeatStep>(scene, grid, materials, law, sources);
+        if (!scene.physics.mechanics) return;
+        stress = std::make_unique<StressStep>(scene, grid, materials, checkerboard, sources);
+        projection = std::make_unique<Projection>(scene, grid, materials, checkerboard, sources);
+    }
+
+    /// phi_t of a surface whose nodes have this temperature and velocity.
+    SurfaceField surface_rate_of(const SurfaceField& surface, const NodeField& temperature,
+                                 const NodeVectors& velocity) const {
+        const bool carried = scene.numerics.surface_motion == SurfaceMotion::burning_with_material;
+        std::vector<Vector> of_material;
+        if (carried && !velocity.empty())
+            for (int i = 0; i < grid.node_columns(); ++i)
+                of_material.push_back(velocity(i, grid.rows()));
+        return surface_rate(grid, surface, law.burn_rate(grid, materials, temperature),
+                            of_material);
+    }
+
+    /// The state one step after `now`.
+    State advanced(const State& now) {
+        const double dt = scene.time.step;
+        State next;
+        if (now.previous) {
+            next = combination(4.0 / 3.0, now, -1.0 / 3.0, *now.previous);
+            advance(next, combination(2.0, now, -1.0, *now.previous), bdf2_step(now.time, dt));
+        } else {
+            next = now;
+            advance(next, now, euler_step(now.time, dt));
+        }
+        next.step = now.step + 1;
+        next.time = dt * double(next.step);
+        return next;
+    }
+
+    /// One step. `next` enters as the base of the step; `now` is the explicit state.
+    void advance(State& next, const State& now, const TimeStep& step) {
+        if (heat) move_heat(next, now, step);
+        const SurfaceField base = next.surface;
+        move_surface(next, now, step);
+        if (stress) move_solid(next, now, base, step);
+    }
+
+    void move_heat(State& next, const State& now, const TimeStep& step) {
+        const SurfaceField rate = surface_rate_of(now.surface, now.temperature, now.velocity);
+        const HeatMotion motion{now.surface, rate, now.velocity, now.temperature_rate};
+        stopwatch.measure("heat", [&] {
+            const NodeField base = next.temperature;
+            heat->advance(next.temperature, now.temperature, motion, step);
+            if (!next.temperature_rate.empty())
+                material_rate(grid, base, next.temperature, motion, step.span,
+                              next.temperature_rate);
+        });
+    }
+
+    /// phi' = phi + dt phi_t, with the burn rate of the new temperature (paper sec. 3.5).
+    void move_surface(State& next, const State& now, const TimeStep& step) {
+        stopwatch.measure("burning", [&] {
+            const SurfaceField rate = surface_rate_of(now.surface, next.temperature, now.velocity);
+            for (size_t i = 0; i < rate.size(); ++i) {
+                next.surface[i] += step.span * rate[i];
+                if (!std::isfinite(next.surface[i]))
+                    throw NumericalFailure(
+                        fmt::format("burning: the surface is not a number at node column {}", i));
+            }
+        });
+    }
+
+    void move_solid(State& next, const State& now, const SurfaceField& base, const TimeStep& step) {
+        SurfaceField rate(base.size());
+        for (size_t i = 0; i < rate.size(); ++i) rate[i] = (next.surface[i] - base[i]) / step.span;
+        const HeatMotion old_motion{now.surface, rate, now.velocity, now.temperature_rate};
+
+        stopwatch.measure("stress", [&] {
+            stress->predict(next.stress, now.stress, old_motion, next.temperature_rate, step);
+        });
+        // What the map carries must be where the projection's grid is: the map takes the explicit
+        // velocity then, and not that of the projection.
+        const bool map_first = scene.morphology.indicator == Indicator::reference_map;
+        if (map_first) move_map(next, now, rate, now.velocity, step);
+        if (materials.moves()) stopwatch.measure("morphology", [&] { follow_material(next); });
+        stopwatch.measure("projection", [&] {
+            solver_iterations =
+                projection->solve(next.stress, next.surface, step.end, step.span, next.velocity);
+            check_finite(next.velocity, "projection", "velocity");
+        });
+        stopwatch.measure("stress", [&] {
+            stress->correct(next.stress, next.surface, next.velocity, step.span);
+            check_finite(next.stress);
+        });
+        if (!map_first) move_map(next, now, rate, next.velocity, step);
+    }
+
+    void move_map(State& next, const State& now, const SurfaceField& rate,
+                  const NodeVectors& velocity, const TimeStep& step) {
+        if (next.reference_shift.empty()) return;
+        stopwatch.measure("reference map", [&] {
+            const HeatMotion motion{now.surface, rate, velocity, next.temperature_rate};
+            advance_reference_map(grid, motion, step.span, now.reference_shift,
+                                  next.reference_shift);
+            check_finite(next.reference_shift, "reference map", "the map");
+        });
+    }
+
+    /// The grid has moved through the morphology, or the morphology with the solid: cells that
+    /// became softer cannot hold what they held.
+    void follow_material(State& next) {
+        shear_modulus_before = shear_modulus();
+        materials.follow(next.surface, next.reference_shift);
+        stress->soften(next.stress, shear_modulus_before);
+    }
+
+    CellField shear_modulus() const {
+        CellField modulus(grid.cell_columns(), grid.rows());
+        for (int i = 0; i < grid.cell_columns(); ++i)
+            for (int j = 0; j < grid.rows(); ++j) modulus(i, j) = materials.shear_modulus(i, j);
+        return modulus;
+    }
+
+    /// Keeps `now` for the next step to look back at, as soft as the material has become since.
+    std::shared_ptr<const State> remembered(State now) const {
+        if (scene.time.scheme == Stepping::euler) return nullptr;
+        now.previous.reset();
+        if (stress && materials.moves()) stress->soften(now.stress, shear_modulus_before);
+        return std::make_shared<const State>(std::move(now));
+    }
+};
+
+Simulation::Simulation(Scene scene, Sources sources)
+    : rooms_(std::make_unique<Rooms>(std::move(scene), std::move(sources))) {}
+
+Simulation::~Simulation() = default;
+
+void Simulation::step() {
+    State next;
+    try {
+        next = rooms_->advanced(rooms_->state);
+    } catch (const NumericalFailure& failure) {
+        rooms_->materials.follow(rooms_->state.surface, rooms_->state.reference_shift);
+        throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", rooms_->state.step + 1,
+                                           rooms_->state.time + rooms_->scene.time.step,
+                                           failure.what()));
+    }
+    if (!rooms_->stress && rooms_->materials.moves()) rooms_->materials.follow(next.surface);
+    next.previous = rooms_->remembered(std::move(rooms_->state));
+    rooms_->state = std::move(next);
+}
+
+void Simulation::restore(State state) {
+    const bool looks_back = rooms_->scene.time.scheme == Stepping::bdf2;
+    const bool fits = same_shape(state, rooms_->state) &&
+                      (!state.previous || (looks_back && same_shape(*state.previous, state)));
+    if (!fits) throw InputError("checkpoint: its fields are not those of the scene");
+    rooms_->materials.follow(state.surface, state.reference_shift);
+    rooms_->state = std::move(state);
+}
+
+void Simulation::forget_factorisation() {
+    if (rooms_->projection) rooms_->projection->forget();
+}
+
+const Scene& Simulation::scene() const {
+    return rooms_->scene;
+}
+const Grid& Simulation::grid() const {
+    return rooms_->grid;
+}
+const State& Simulation::state() const {
+    return rooms_->state;
+}
+std::vector<RoomTime> Simulation::timing() const {
+    return rooms_->stopwatch.rooms();
+}
+
+Summary Simulation::summary() const {
+    const State& s = rooms_->state;
+    Summary summary;
+    summary.mean_burn_rate = mean_burn_rate(rooms_->grid, s.surface, burn_rate());
+    if (!s.temperature.empty())
+        summary.largest_temperature = *std::ranges::max_element(s.temperature.values());
+    if (!s.reference_shift.empty())
+        summary.largest_strain = *std::ranges::max_element(strain_norm().values());
+    if (rooms_->projection)
+        summary.residual = rooms_->projection->residual(s.stress, s.velocity, s.surface, s.time);
+    summary.solver_iterations = rooms_->solver_iterations;
+    return summary;
+}
+
+CellField Simulation::material_fraction() const {
+    return rooms_->materials.fraction();
+}
+
+NodeField Simulation::material_indicator() const {
+    const Grid& grid = rooms_->grid;
+    NodeField sum(grid.node_columns(), grid.rows() + 1);
+    NodeField cells(grid.node_columns(), grid.rows() + 1);
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        for (int j = 0; j < grid.rows(); ++j)
+            for (const Node& node : corners(grid, i, j)) {
+                sum(node.i, node.j) += 2.0 * rooms_->materials.fraction()(i, j) - 1.0;
+                cells(node.i, node.j) += 1.0;
+            }
+    for (size_t k = 0; k < sum.values().size(); ++k) sum.values()[k] /= cells.values()[k];
+    return sum;
+}
+
+SurfaceField Simulation::burn_rate() const {
+    return rooms_->law.burn_rate(rooms_->grid, rooms_->materials, rooms_->state.temperature);
+}
+
+Lattice<Eigen::Matrix2d> Simulation::deformation_gradient() const {
+    const State& s = rooms_->state;
+    if (s.reference_shift.empty()) return {};
+    return crawford::deformation_gradient(rooms_->grid, s.surface, s.reference_shift);
+}
+
+Lattice<std::array<double, 3>> Simulation::strain() const {
+    const auto f = deformation_gradient();
+    Lattice<std::array<double, 3>> result(f.columns(), f.rows());
+    for (size_t k = 0; k < f.values().size(); ++k) {
+        const Eigen::Matrix2d e = green_strain(f.values()[k]);
+        result.values()[k] = {e(0, 0), e(1, 1), e(0, 1)};
+    }
+    return result;
+}
+
+CellField Simulation::strain_norm() const {
+    const auto e = strain();
+    CellField result(e.columns(), e.rows());
+    const bool frobenius = rooms_->scene.numerics.strain_norm == StrainNorm::frobenius;
+    for (size_t k = 0; k < e.values().size(); ++k) {
+        const auto& [e11, e22, e12] = e.values()[k];
+        result.values()[k] = frobenius ? std::sqrt(e11 * e11 + e22 * e22 + 2.0 * e12 * e12)
+                                       : std::max({std::abs(e11), std::abs(e22), std::abs(e12)});
+    }
+    return result;
+}
+
+}  // namespace crawford

@@ -1,0 +1,29 @@
+/// Everything a step starts from: what a checkpoint holds.
+/// A field the scene does not ask for is empty.
+#pragma once
+
+#include <memory>
+
+#include "solver/mesh/lattice.hpp"
+#include "solver/stress/stress_field.hpp"
+
+namespace crawford {
+
+struct State {
+    long step = 0;
+    double time = 0.0;            ///< [s]
+    SurfaceField surface;         ///< phi [m] of each node column
+    NodeField temperature;        ///< T [K]
+    NodeVectors velocity;         ///< v [m/s]
+    StressField stress;           ///< sigma [Pa]
+    CellField temperature_rate;   ///< DT/Dt of the last step [K/s], where the stress work is split
+    NodeVectors reference_shift;  ///< xi - (x, y) [m]; as a shift it is exact in a free stream
+    /// The state one step before, where time.scheme looks back that far; its own is always empty.
+    std::shared_ptr<const State> previous;
+};
+
+/// a x + b y, field by field; time, step and previous are those of x.
+/// Both must be states of the same scene.
+State combination(double a, const State& x, double b, const State& y);
+
+}  // namespace crawford
