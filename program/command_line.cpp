@@ -91,6 +91,13 @@ struct Parser {
             ->type_name("N,N,...")
             ->delimiter(',')
             ->allow_extra_args(false);
+        verify_command
+            ->add_option("--axis", verify.axis,
+                         "Only studies that refine this axis, on these values of it")
+            ->type_name("NAME=N,N,...")
+            ->excludes("--grids");
+        verify_command->add_flag("--judge-only", verify.judge_only,
+                                 "Run nothing: judge the records that lie in DIR/records");
         add_out(verify_command, verify.out, "out/verify")->capture_default_str();
         add_quiet(verify_command, verify.quiet);
         verify_command->footer(help::verify_examples);
@@ -187,7 +194,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
     throw InputError(fmt::format("{}; see crawford {} --help", error.what(), command.get_name()));
 }
 
-Job job_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) {
+Action action_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) {
     if (parser->list_command->parsed()) return [parser] { return list(parser->list); };
     if (parser->report_command->parsed()) return [parser] { return report(parser->report); };
     if (parser->run_command->parsed())
@@ -202,7 +209,7 @@ Job job_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) 
 
 }  // namespace
 
-std::variant<Job, Answer> read_command_line(const CommandLine& arguments) {
+std::variant<Action, Answer> read_command_line(const CommandLine& arguments) {
     const auto parser = std::make_shared<Parser>();
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend() - 1);
     try {
@@ -214,7 +221,7 @@ std::variant<Job, Answer> read_command_line(const CommandLine& arguments) {
     } catch (const CLI::ParseError& error) {
         refuse(*parser, error);
     }
-    return job_of(parser, arguments);
+    return action_of(parser, arguments);
 }
 
 }  // namespace crawford

@@ -9,7 +9,7 @@
 namespace crawford {
 
 /// One command with its options, ready to go.
-using Job = std::function<int()>;
+using Action = std::function<int()>;
 
 /// Help or version, asked for: text for stdout.
 struct Answer {
@@ -19,6 +19,6 @@ struct Answer {
 /// Reads the command line.
 /// \throws InputError, one line, for an unknown command or option (with the nearest one), a missing
 /// one, or a value that cannot be read.
-std::variant<Job, Answer> read_command_line(const CommandLine& arguments);
+std::variant<Action, Answer> read_command_line(const CommandLine& arguments);
 
 }  // namespace crawford

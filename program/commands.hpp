@@ -40,6 +40,8 @@ struct LedgerOptions {
 struct VerifyOptions {
     std::vector<std::string> studies;  ///< all if empty
     std::vector<int> grids;            ///< each study's own if empty; see help.hpp
+    std::string axis;                  ///< "rows=32,64": as grids, of the studies that refine it
+    bool judge_only = false;           ///< run nothing, judge the records that are there
     std::filesystem::path out = "out/verify";
     bool quiet = false;
 };

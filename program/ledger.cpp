@@ -17,6 +17,7 @@
 #include "program/narrator.hpp"
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
+#include "program/queue.hpp"
 #include "reports/figure.hpp"
 
 namespace crawford {
@@ -54,11 +55,10 @@ reports::Ledger settle(const LedgerOptions& options, const CommandLine& command)
         throw NumericalFailure("a case that the ledger cites could not be drawn");
 
     Narrator narrator(options.quiet);
-    Workload workload(narrator);
-    workload.run(burnings(ledger::scenes(fidelity), fidelity, options.out),
-                 [&](const Task& task, std::exception_ptr) {
-                     narrator.say(task.name + " failed: its reading has no numbers");
-                 });
+    run_told(burnings(ledger::scenes(fidelity), fidelity, options.out), narrator,
+             [&](const Job& job, const std::exception_ptr&) {
+                 narrator.say(job.name + " failed: its reading has no numbers");
+             });
     auto settled = ledger::settle({.fidelity = fidelity, .out = options.out, .progress = {}},
                                   [&](const std::string& entry, const std::string& what) {
                                       return found(options.out / "figures", entry, what);

@@ -8,7 +8,7 @@ namespace {
 
 int obey(const crawford::CommandLine& arguments) {
     const auto wanted = crawford::read_command_line(arguments);
-    if (const auto* job = std::get_if<crawford::Job>(&wanted)) return (*job)();
+    if (const auto* action = std::get_if<crawford::Action>(&wanted)) return (*action)();
     std::cout << std::get<crawford::Answer>(wanted).text;
     return crawford::exit_code::done;
 }

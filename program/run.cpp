@@ -19,7 +19,7 @@
 #include "program/narrator.hpp"
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
-#include "program/workload.hpp"
+#include "program/queue.hpp"
 #include "solver/scene/write_scene.hpp"
 
 namespace crawford {
@@ -59,12 +59,11 @@ public:
         });
         remove_halves(figures());
         std::erase_if(chosen_, [this](const Entry* entry) { return is_up_to_date(*entry); });
-        Workload workload(narrator_);
-        const auto failed = [this](const Task& task, const std::exception_ptr& failure) {
-            tell_failure(task.name, failure);
+        const auto failed = [this](const Job& job, const std::exception_ptr& failure) {
+            tell_failure(job.name, failure);
         };
-        workload.run(burns_and_plain_cases(), failed);
-        workload.run(cases_of_burns(), failed);
+        run_told(burns_and_plain_cases(), narrator_, failed);
+        run_told(cases_of_burns(), narrator_, failed);
         write_figure_pages(options_.out);
         return worst_;
     }
@@ -80,35 +79,37 @@ private:
         return true;
     }
 
-    std::vector<Task> burns_and_plain_cases() {
+    std::vector<Job> burns_and_plain_cases() {
         std::vector<Scene> scenes;
         for (const Entry* entry : chosen_)
             if (entry->burns)
                 for (const Scene& scene : entry->burns(fidelity_)) scenes.push_back(scene);
-        std::vector<Task> tasks = burnings(scenes, fidelity_, options_.out);
+        std::vector<Job> tasks = burnings(scenes, fidelity_, options_.out);
         for (const Entry* entry : chosen_)
             if (!entry->burns) tasks.push_back(drawing(*entry));
         return tasks;
     }
 
-    std::vector<Task> cases_of_burns() {
-        std::vector<Task> tasks;
+    std::vector<Job> cases_of_burns() {
+        std::vector<Job> tasks;
         for (const Entry* entry : chosen_)
             if (entry->burns) tasks.push_back(drawing(*entry));
         return tasks;
     }
 
-    Task drawing(const Entry& entry) {
+    Job drawing(const Entry& entry) {
         // What looks at burns that are there takes a second, whatever the burns took.
         const double cost = fidelity_ == Fidelity::draft ? entry.cost.draft : entry.cost.paper;
         return {entry.name, entry.burns ? 1.0 : cost,
-                [this, &entry](const Task::Progress& progress) { draw(entry, progress); }};
+                [this, &entry](const Job::Progress& progress) { draw(entry, progress); }};
     }
 
-    void draw(const Entry& entry, const Task::Progress& progress) {
+    void draw(const Entry& entry, const Job::Progress& progress) {
         const auto start = Clock::now();
         const Outcome outcome =
-            entry.draw({.fidelity = fidelity_, .out = options_.out, .progress = progress});
+            entry.draw({.fidelity = fidelity_,
+                        .out = options_.out,
+                        .progress = [&](const std::string&, double done) { progress(done); }});
         FigureRecord record{.fidelity = options_.fidelity,
                             .findings = outcome.findings,
                             .pictures = outcome.figure.draw(),

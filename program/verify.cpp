@@ -11,9 +11,12 @@
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/file_lock.hpp"
+#include "base/program_fingerprint.hpp"
 #include "base/progress.hpp"
 #include "cases/terms.hpp"
 #include "program/choose.hpp"
+#include "program/chosen_grids.hpp"
 #include "program/commands.hpp"
 #include "program/narrator.hpp"
 #include "program/pages.hpp"
@@ -27,58 +30,41 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void check_grids(const std::vector<int>& grids) {
-    for (const int grid : grids)
-        if (grid < 1) throw InputError(fmt::format("--grids holds {}; a grid is 1 or more", grid));
-}
-
-/// Of the study's own grids those that were asked for; if the study was named, all that were.
-std::optional<std::vector<int>> grids_of(const reports::Study& study,
-                                         const VerifyOptions& options) {
-    if (options.grids.empty()) return {};
-    if (!options.studies.empty()) return options.grids;
-    auto grids = study.grids();
-    std::erase_if(grids, [&](int grid) {
-        return std::ranges::find(options.grids, grid) == options.grids.end();
-    });
-    return grids;
-}
-
 std::vector<reports::Task> tasks_of(const std::vector<ChosenStudy>& chosen,
-                                    const VerifyOptions& options) {
+                                    const ChosenGrids& grids) {
     std::vector<reports::Task> tasks;
     for (const ChosenStudy& one : chosen)
-        tasks.push_back({one.study, grids_of(one.study, options), one.seconds});
+        tasks.push_back({one.study, grids.of(one.study), one.seconds});
     const auto has_grid = [](const reports::Task& task) {
         return !task.grids || !task.grids->empty();
     };
     if (std::ranges::none_of(tasks, has_grid))
-        throw InputError(fmt::format("--grids = {}: no study has any of these grids",
-                                     fmt::join(options.grids, ",")));
+        throw InputError("--grids or --axis: no study has any of these grids");
     return tasks;
 }
 
-std::string command_of(const ChosenStudy& chosen, const std::vector<int>& grids, bool selected) {
+std::string command_of(const ChosenStudy& chosen, const std::vector<int>& run,
+                       const ChosenGrids& grids) {
     const bool plain = chosen.name.find_first_of(" ,()'=<>;&|*\"") == std::string::npos;
     auto command = fmt::format("build/crawford verify {0}{1}{0}", plain ? "" : "'", chosen.name);
-    if (selected) command += fmt::format(" --grids {}", fmt::join(grids, ","));
+    if (grids.any() && !run.empty()) command += ' ' + grids.option(chosen.study, run);
     return command;
 }
 
 reports::Verification collected(const std::vector<ChosenStudy>& chosen,
                                 std::vector<reports::StudyResult> results,
-                                const VerifyOptions& options) {
+                                const VerifyOptions& options, const ChosenGrids& grids) {
     reports::Verification found;
-    found.whole = options.studies.empty() && options.grids.empty();
+    found.whole = options.studies.empty() && !grids.any();
     found.terms.assign(term::all.begin(), term::all.end());
     for (size_t k = 0; k < chosen.size(); ++k) {
-        const bool selected = !options.grids.empty() && !results[k].grids.empty();
         found.studies.push_back({.name = chosen[k].study.name(),
                                  .entry = chosen[k].entry->name,
                                  .page = opening_comment_of(*chosen[k].entry),
                                  .source = chosen[k].entry->source.string(),
-                                 .command = command_of(chosen[k], results[k].grids, selected),
+                                 .command = command_of(chosen[k], results[k].grids, grids),
                                  .covers = chosen[k].study.covered(),
+                                 .axis = chosen[k].study.axis(),
                                  .grids = results[k].grids,
                                  .seconds = results[k].seconds});
         std::ranges::move(results[k].gates, std::back_inserter(found.gates));
@@ -94,23 +80,47 @@ nlohmann::ordered_json manifest(const CommandLine& command, Clock::time_point st
 }
 
 void tell(Narrator& narrator, const reports::Progress& p) {
-    narrator.say(fmt::format("{}: grid {} {} {:.1f} s ({} of {}, {} to go)", p.study, p.grid,
+    narrator.say(fmt::format("{}: {} {} {:.1f} s ({} of {}, {} to go)", p.study, p.setting.text(),
                              p.failure.empty() ? "done in" : "failed after", p.seconds, p.done,
                              p.total, clock_time(p.to_go)));
+}
+
+void tell_kept(Narrator& narrator, const std::vector<reports::StudyResult>& results) {
+    size_t kept = 0;
+    for (const auto& result : results) kept += result.kept;
+    if (kept > 0) narrator.say(fmt::format("{} runs were there, made by this very program", kept));
+}
+
+/// Where records are of another program, what is found is no verification of this one.
+bool tell_foreign(const std::vector<reports::StudyResult>& results) {
+    const bool is_foreign = std::ranges::any_of(results, &reports::StudyResult::is_foreign);
+    if (is_foreign)
+        std::cerr << "crawford: remark: records are of another build or other libraries: this "
+                     "judges those, and verifies nothing of this one\n";
+    return is_foreign;
 }
 
 }  // namespace
 
 int verify(const VerifyOptions& options, const CommandLine& command) {
-    check_grids(options.grids);
     const auto chosen = choose_studies(options.studies);
-    const auto tasks = tasks_of(chosen, options);
+    const ChosenGrids grids(options, chosen);
+    const auto tasks = tasks_of(chosen, grids);
     prepare_directory(options.out);
 
     Narrator narrator(options.quiet);
+    const FileLock lock(options.out / ".lock", [&] {
+        narrator.say("waiting for another run that writes into " + options.out.string());
+    });
+    reports::RecordStore store(options.out / "records", program_fingerprint());
     const auto started = Clock::now();
-    auto results = reports::run(tasks, [&](const reports::Progress& p) { tell(narrator, p); });
-    auto found = collected(chosen, std::move(results), options);
+    auto results = options.judge_only
+                       ? reports::judge_kept(tasks, store)
+                       : reports::run(tasks, &store, [&](const auto& p) { tell(narrator, p); });
+    if (!options.judge_only) tell_kept(narrator, results);
+    const bool is_foreign = tell_foreign(results);
+    auto found = collected(chosen, std::move(results), options, grids);
+    found.whole = found.whole && !is_foreign;
     found.manifest = manifest(command, started);
 
     reports::write(options.out / "verify.json", found);

@@ -165,6 +165,11 @@ GateResult judged(const Judge& judge, const Study::Row& row) {
 
 }  // namespace
 
+GridRun grid_run(const Study& study, const Record& record) {
+    return {record.setting.count(study.axis()), record.found, record.ending.message,
+            record.cost.wall_seconds};
+}
+
 std::vector<GateResult> judge_rows(const Study& study, const std::vector<GridRun>& runs) {
     double seconds = 0.0;
     std::string causes;

@@ -45,6 +45,9 @@ public:
     Measurement& sample(const std::string& quantity, Sample sample);
 
     double h() const { return h_; }
+    const std::map<std::pair<std::string, Norm>, ErrorAndScale>& errors() const { return errors_; }
+    const std::map<std::string, double>& values() const { return values_; }
+    const std::map<std::string, Sample>& samples() const { return samples_; }
     std::optional<ErrorAndScale> error_of(const std::string& quantity, Norm norm) const;
     std::optional<double> value_of(const std::string& quantity) const;
     /// The sample, or the single value as a sample of one.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace crawford::reports {
 namespace {
@@ -49,6 +50,12 @@ std::string_view name(Norm norm) {
             return "|.|";
     }
     throw std::invalid_argument("norm: no such norm");
+}
+
+Norm norm_named(std::string_view word) {
+    for (const Norm norm : {Norm::L1, Norm::L2, Norm::Linf, Norm::paper, Norm::magnitude})
+        if (name(norm) == word) return norm;
+    throw std::invalid_argument(std::string(word) + " is no norm");
 }
 
 double norm(Norm norm, std::span<const double> values, std::span<const double> weights) {

@@ -22,6 +22,9 @@ enum class Norm {
 /// The name as printed in tables: "L1", "L2", "Linf", "eq.55", "|.|".
 std::string_view name(Norm norm);
 
+/// \throws std::invalid_argument if no norm is printed so.
+Norm norm_named(std::string_view name);
+
 /// Norm of `values` with the cell sizes `weights` [m or m^2, >= 0]; no weights means all alike.
 /// \throws std::invalid_argument if there are no values, if the lengths differ, if a weight is
 /// negative or none is positive, or if `magnitude` is asked of more than one value.

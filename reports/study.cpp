@@ -2,13 +2,32 @@
 
 namespace crawford::reports {
 
-Study& Study::grids(std::vector<int> cells) {
-    grids_ = std::move(cells);
+Study& Study::refines(std::string axis, std::vector<int> values) {
+    axis_ = std::move(axis);
+    grids_ = std::move(values);
     return *this;
+}
+
+Study& Study::at(const std::string& axis, AxisValue value) {
+    fixed_.set(axis, std::move(value));
+    return *this;
+}
+
+Setting Study::setting(int grid) const {
+    Setting setting = fixed_;
+    setting.set(axis_, long(grid));
+    return setting;
 }
 
 Study& Study::measure(Measure measure) {
     measure_ = std::move(measure);
+    return *this;
+}
+
+Study& Study::measure(MeasureGrid measure) {
+    measure_ = [axis = axis_, measure = std::move(measure)](const Setting& at) {
+        return measure(at.count(axis));
+    };
     return *this;
 }
 

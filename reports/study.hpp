@@ -8,20 +8,23 @@
 #include <vector>
 
 #include "reports/gate.hpp"
-#include "reports/measurement.hpp"
+#include "reports/record.hpp"
+#include "reports/record_store.hpp"
 
 /// Studies: the same run on several grids, and the gates that the outcome is held against.
 ///
 ///     Study("slab, AP")
-///         .grids({32, 64, 128, 256})
-///         .measure([](int cells) { ... return Measurement(h).field("temperature", T, exact); })
+///         .refines("rows", {32, 64, 128, 256})
+///         .measure([](int rows) { ... return Measurement(h).field("temperature", T, exact); })
 ///         .gate("temperature", Norm::L2, expect(2.0).within(0.1), "central differences, steady")
 ///         .bound("T_s - exact [K]", 128, between(-1.0, 1.0), "a quarter of the model difference");
 namespace crawford::reports {
 
-/// What to run on one grid. Grids run at the same time in several threads: share nothing that
+/// What to run at one setting. Settings run at the same time in several threads: share nothing that
 /// changes.
-using Measure = std::function<Measurement(int grid)>;
+using Measure = std::function<Measurement(const Setting&)>;
+/// The same for a run that depends on nothing but the value of the axis that is refined.
+using MeasureGrid = std::function<Measurement(int value)>;
 
 class Study {
 public:
@@ -43,8 +46,14 @@ public:
 
     explicit Study(std::string name) : name_(std::move(name)) {}
 
-    Study& grids(std::vector<int> cells);
+    /// The axis that is refined, and its values: cells, columns, rows, steps. The judgement calls a
+    /// value of it a grid.
+    Study& refines(std::string axis, std::vector<int> values);
+    /// Another axis, which is the same in all runs.
+    Study& at(const std::string& axis, AxisValue value);
     Study& measure(Measure measure);
+    /// Call it after refines().
+    Study& measure(MeasureGrid measure);
     /// The terms of the equations in which this study would see a fault: its columns of the
     /// coverage matrix.
     Study& covers(std::vector<std::string> terms);
@@ -63,27 +72,32 @@ public:
                        std::string reason);
 
     const std::string& name() const { return name_; }
+    const std::string& axis() const { return axis_; }
     const std::vector<int>& grids() const { return grids_; }
+    /// What a run on this grid is set to.
+    Setting setting(int grid) const;
     const std::vector<std::string>& covered() const { return covered_; }
     const std::vector<Row>& rows() const { return rows_; }
     const Measure& measure() const { return measure_; }
 
 private:
     std::string name_;
+    std::string axis_;
+    Setting fixed_;
     std::vector<int> grids_;
     std::vector<std::string> covered_;
     Measure measure_;
     std::vector<Row> rows_;
 };
 
-/// One grid done.
+/// One run done.
 struct Progress {
     std::string study;
-    int grid;
+    Setting setting;
     double seconds;
     std::size_t done, total;
-    std::string failure;  ///< Empty unless the run of this grid threw
-    double to_go;         ///< Seconds that the rest will take, from the pace so far and the costs
+    std::string failure;  ///< empty unless the run threw
+    double to_go;         ///< seconds that the rest will take, from the pace so far and the costs
 };
 using OnProgress = std::function<void(const Progress&)>;
 
@@ -93,23 +107,32 @@ struct Task {
     /// None: all of the study's own. Gates that need another of the study's own are then left
     /// ungated.
     std::optional<std::vector<int>> grids = {};
-    double seconds = 1.0;  ///< What all of the study's own grids are expected to take
+    double seconds = 1.0;  ///< what all of the study's own grids are expected to take
 };
 
 /// What has become of a task.
 struct StudyResult {
-    std::vector<int> grids;         ///< Those that were run
-    std::vector<GateResult> gates;  ///< One for each row, in the order written
-    double seconds;                 ///< Sum over its runs
+    std::vector<int> grids;         ///< those that were run
+    std::vector<GateResult> gates;  ///< one for each row, in the order written
+    double seconds;                 ///< wall time of its runs, summed
+    std::size_t kept = 0;           ///< how many of its runs were taken from the store
+    bool is_foreign = false;        ///< whether a record is of another fingerprint than the store
 };
 
-/// Runs all grids of all tasks out of one queue, the dearest first, as many at a time as the
-/// machine has cores, and judges every row. A run that throws fails every gate that needs it, with
-/// the reason; it stops nothing else. `on_progress` is called from one thread at a time. \throws
-/// std::invalid_argument if a study has nothing to measure, no grid or no gate.
-std::vector<StudyResult> run(const std::vector<Task>& tasks, const OnProgress& on_progress = {});
+/// Runs all grids of all tasks out of one queue (base/job_queue.hpp) and judges every row. What
+/// `store` holds is not run again, and what is run is added to it at once. A run that throws fails
+/// every gate that needs it, with the reason; it stops nothing else. `on_progress` is called from
+/// one thread at a time.
+/// \throws std::invalid_argument if a study has nothing to measure, no grid or no gate.
+std::vector<StudyResult> run(const std::vector<Task>& tasks, RecordStore* store = nullptr,
+                             const OnProgress& on_progress = {});
 
-/// The same for one study, on its own grids or on `grids` if any are given.
+/// Judges what `store` holds, whatever its fingerprint, and runs nothing: a grid without a record
+/// is one that was left out.
+/// \throws std::invalid_argument likewise.
+std::vector<StudyResult> judge_kept(const std::vector<Task>& tasks, RecordStore& store);
+
+/// Runs one study, on its own grids or on `grids` if any are given.
 std::vector<GateResult> run(const Study& study, std::vector<int> grids = {},
                             const OnProgress& on_progress = {});
 

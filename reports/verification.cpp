@@ -23,9 +23,9 @@ std::string title(const GateResult& gate) {
 }  // namespace
 
 void to_json(Json& json, const StudyRecord& s) {
-    json = {{"name", s.name},       {"entry", s.entry},   {"source", s.source},
-            {"command", s.command}, {"covers", s.covers}, {"grids", s.grids},
-            {"seconds", s.seconds}, {"page", s.page}};
+    json = {{"name", s.name},       {"entry", s.entry},     {"source", s.source},
+            {"command", s.command}, {"covers", s.covers},   {"axis", s.axis},
+            {"grids", s.grids},     {"seconds", s.seconds}, {"page", s.page}};
 }
 
 void from_json(const Json& json, StudyRecord& s) {
@@ -34,6 +34,7 @@ void from_json(const Json& json, StudyRecord& s) {
     json.at("source").get_to(s.source);
     json.at("command").get_to(s.command);
     json.at("covers").get_to(s.covers);
+    s.axis = json.value("axis", "");  // an older report does not say
     json.at("grids").get_to(s.grids);
     json.at("seconds").get_to(s.seconds);
     json.at("page").get_to(s.page);

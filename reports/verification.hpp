@@ -19,6 +19,7 @@ struct StudyRecord {
     std::string source = {};   ///< That file
     std::string command = {};  ///< Repeats it
     std::vector<std::string> covers = {};
+    std::string axis = {};        ///< That it refines: "rows", "steps"
     std::vector<int> grids = {};  ///< Those that were run
     double seconds = 0.0;
 };

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/digest.hpp"
+
 namespace crawford::mutants {
 
 namespace {

@@ -1,13 +1,12 @@
 #include "scratch_tree.hpp"
 
 #include <algorithm>
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 
+#include "base/digest.hpp"
 #include "base/process.hpp"
 
 namespace crawford::mutants {
@@ -41,10 +40,6 @@ std::vector<std::string> files_known_to_git(const fs::path& sources) {
 }
 
 }  // namespace
-
-std::string digest(const std::string& text) {
-    return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(text));
-}
 
 ScratchTree::ScratchTree(const fs::path& sources, fs::path copy) : copy_(std::move(copy)) {
     for (const std::string& file : files_known_to_git(sources)) mirror(sources / file, file);

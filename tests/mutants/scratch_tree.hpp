@@ -54,7 +54,4 @@ private:
 /// What the study in a file is called: "heat-time" in cases/verify/heat/heat_time.cpp.
 std::string study_of(const std::string& file);
 
-/// A number for a text, the same in every run.
-std::string digest(const std::string& text);
-
 }  // namespace crawford::mutants

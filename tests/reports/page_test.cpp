@@ -51,7 +51,7 @@ TEST(Prose, ReadsTheOpeningCommentOfACase) {
 /// Errors of order one on four grids; the gates demand `order`.
 Verification verified(double order) {
     Study study("rod, <thin>");
-    study.grids({8, 16, 32, 64}).measure([](int n) {
+    study.refines("cells", {8, 16, 32, 64}).measure([](int n) {
         return Measurement(1.0 / n).error("T", Norm::L2, 1.0 / n).value("T_s", 1.0 + 1.0 / n);
     });
     study.gate("T", Norm::L2, expect(order).within(0.1).from(16), "h & no more")

@@ -34,7 +34,7 @@ Measurement second_order(int n) {
 }
 
 Study study() {
-    return Study("synthetic").grids({32, 64, 128, 256}).measure(second_order);
+    return Study("synthetic").refines("cells", {32, 64, 128, 256}).measure(second_order);
 }
 
 TEST(StudyRun, JudgesEveryRowInOrder) {
@@ -99,7 +99,7 @@ TEST(StudyRun, LeavesEverythingUngatedOnNoGridAtAll) {
 TEST(StudyRun, FailsWhatIsBrokenOnTheCallersGridsEvenIfTheyAreTooFew) {
     const auto measured = [](double value) {
         Study s("broken");
-        s.grids({32, 64, 128}).measure([value](int n) {
+        s.refines("cells", {32, 64, 128}).measure([value](int n) {
             return Measurement(1.0 / n).error("T", Norm::L2, value / n).value("T_s", value);
         });
         s.gate("T", Norm::L2, expect(1.0).within(0.1), "h")
@@ -133,7 +133,7 @@ TEST(StudyRun, FeedsAllStudiesOutOfOneQueueDearestFirst) {
     std::mutex mutex;
     const auto noting = [&](const std::string& name) {
         Study s(name);
-        s.grids({10, 20}).measure([&, name](int n) {
+        s.refines("cells", {10, 20}).measure([&, name](int n) {
             const std::scoped_lock lock(mutex);
             begun.push_back(name + std::to_string(n));
             return Measurement(1.0 / n).value("x", n);
@@ -158,7 +158,7 @@ TEST(StudyRun, FeedsAllStudiesOutOfOneQueueDearestFirst) {
 
 TEST(StudyRun, CarriesTheReasonOfARunThatThrew) {
     Study s("broken");
-    s.grids({32, 64, 128, 256}).measure([](int n) {
+    s.refines("cells", {32, 64, 128, 256}).measure([](int n) {
         if (n == 64) throw std::runtime_error("no convergence in column 3");
         return second_order(n);
     });
@@ -185,7 +185,7 @@ TEST(StudyRun, FailsAQuantityThatNobodyMeasured) {
 
 TEST(StudyRun, FailsSamplesOfDifferentPoints) {
     Study s("uneven");
-    s.grids({32, 64, 128}).measure([](int n) {
+    s.refines("cells", {32, 64, 128}).measure([](int n) {
         return Measurement(1.0 / n).sample(
             "T", {std::vector<double>(static_cast<std::size_t>(n), 1.0), {}});
     });
@@ -195,7 +195,7 @@ TEST(StudyRun, FailsSamplesOfDifferentPoints) {
 
 TEST(StudyRun, FailsAStudyOfTwoGrids) {
     auto s = study();
-    s.grids({32, 64})
+    s.refines("cells", {32, 64})
         .gate("temperature", Norm::L2, expect(2.0).within(0.1), "h^2")
         .difference_gate("temperature", Norm::L2, expect(2.0).within(0.1), "h^2")
         .limit_bound("T_s", 2.0, between(0, 1e3), "any");
@@ -212,7 +212,7 @@ TEST(StudyRun, RefusesAStudyOfNothing) {
 TEST(StudyRun, ReportsEveryGridAndUsesNoMoreThreadsThanThereAre) {
     std::atomic<int> now = 0, most = 0;
     Study s("counted");
-    s.grids({1, 2, 3, 4, 5, 6, 7, 8}).measure([&](int n) {
+    s.refines("cells", {1, 2, 3, 4, 5, 6, 7, 8}).measure([&](int n) {
         const int running = ++now;
         int seen = most;
         while (running > seen && !most.compare_exchange_weak(seen, running)) {
@@ -225,7 +225,7 @@ TEST(StudyRun, ReportsEveryGridAndUsesNoMoreThreadsThanThereAre) {
     std::set<int> reported;
     std::size_t last = 0;
     run(s, {}, [&](const Progress& p) {
-        reported.insert(p.grid);
+        reported.insert(p.setting.count("cells"));
         EXPECT_EQ(p.done, ++last);
         EXPECT_EQ(p.total, 8U);
     });

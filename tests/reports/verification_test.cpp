@@ -27,7 +27,7 @@ Measurement first_order(int n) {
 /// Two gates that pass and one that cannot; one study that covers "heat".
 Verification some() {
     Study study("bar");
-    study.grids({8, 16, 32}).measure(first_order);
+    study.refines("cells", {8, 16, 32}).measure(first_order);
     study.gate("T", Norm::L2, expect(1.0).or_better(0.1), "1/n")
         .limit_bound("T_s", 1.0, at_most(1.001), "1 + 1/n tends to 1")
         .gate("T", Norm::L1, expect(1.0).within(0.1), "never measured");

@@ -153,16 +153,16 @@ reports::Measurement burn_zigzag(int cells) {
         .value(beside_crest, worst / grid.dx());
 }
 
-reports::Study study_of(const std::string& name, const reports::Measure& measure) {
+reports::Study study_of(const std::string& name, const reports::MeasureGrid& measure) {
     reports::Study study("surface, " + name);
-    study.grids({32, 64, 128, 256}).measure(measure).covers({term::surface_motion});
+    study.refines("columns", {32, 64, 128, 256}).measure(measure).covers({term::surface_motion});
     return study;
 }
 
 reports::Study steep(const std::string& name, double crest, bool half) {
     reports::Study study =
         study_of(name, [=](int cells) { return wave_rate(120.0 * um, crest, half, cells); });
-    study.grids({16, 32, 64, 128});
+    study.refines("columns", {16, 32, 64, 128});
     for (const auto* quantity : {rate, carried_rate})
         study
             .gate(quantity, Norm::L1, expect(3.0).within(0.5, 0.1).from(32),

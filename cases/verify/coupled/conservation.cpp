@@ -97,7 +97,7 @@ reports::Study balances(const std::string& name, const Scene& scene, std::vector
     const auto first = expect(1.0).within(0.05);
     const int finest = steps.back();
     reports::Study study(name);
-    study.grids(std::move(steps))
+    study.refines("steps", std::move(steps))
         .measure([scene](int n) { return measure(scene, n); })
         .covers({term::heat_storage, term::heat_convection, term::heat_conduction,
                  term::heat_interface, term::stress_work, term::gas_flux, term::reaction_flux,

@@ -57,7 +57,7 @@ const std::vector<std::string> terms{
 
 reports::Study in_space() {
     reports::Study study("coupled, in space");
-    study.grids({16, 32, 64, 128}).covers(terms).measure([](int cells) {
+    study.refines("cells", {16, 32, 64, 128}).covers(terms).measure([](int cells) {
         return run_manufactured(
             {.cells = cells, .steps = cells / 8, .end = end / 2, .scheme = Stepping::bdf2},
             1.0 / cells);
@@ -73,7 +73,7 @@ reports::Study in_space() {
 reports::Study in_time(const std::string& name, const ManufacturedBurn& burn, double order,
                        const std::string& reason) {
     reports::Study study("coupled, in time, " + name);
-    study.grids({16, 32, 64, 128}).covers({term::time_step}).measure([burn](int steps) {
+    study.refines("steps", {16, 32, 64, 128}).covers({term::time_step}).measure([burn](int steps) {
         ManufacturedBurn run = burn;
         run.steps = steps;
         return run_manufactured(run, 1.0 / steps);

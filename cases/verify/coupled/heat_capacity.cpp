@@ -63,7 +63,7 @@ reports::Study heated_block() {
     const double ap_confined = confined(reference::ap());
     const auto near = [](double truth) { return between(truth - 1e-5, truth + 1e-5); };
     reports::Study study("heat-capacity, heated block");
-    study.grids({heating_steps})
+    study.refines("steps", {heating_steps})
         .measure([=](int steps) {
             return reports::Measurement(1.0 / steps)
                 .value(binder_v, taken(htpb_binder(), HeatCapacity::constant_volume))
@@ -108,7 +108,7 @@ reports::Measurement measure(const Slab& slab) {
 reports::Study slab_at_constant_volume(const std::string& material, double flux) {
     const auto order = expect(2.0).within(0.1).from(64);
     reports::Study study("heat-capacity, slab of " + material + " with c_v");
-    study.grids({32, 64, 128, 256})
+    study.refines("rows", {32, 64, 128, 256})
         .measure([=](int cells) { return measure(burning(material, flux, cells)); })
         .covers({term::heat_convection, term::stress_work, term::thermal_stress})
         .gate("T", Norm::L2, order, "as with c_p; the capacity is that of a cell's mean T")

@@ -99,7 +99,7 @@ reports::Study study(const std::string& what,
     const std::string reason =
         two_steps ? "nothing lags: extrapolated from two steps" : "the stress work lags by a step";
     reports::Study study("stress-work, " + what);
-    study.grids({64, 128, 256, 512})
+    study.refines("steps", {64, 128, 256, 512})
         .measure([=](int steps) { return measure(scene, steps); })
         .covers({term::stress_work, term::thermal_stress, term::heat_storage, term::elasticity,
                  term::traction, term::time_step})

@@ -81,7 +81,7 @@ reports::Study study(
     const std::vector<std::string>& terms, const std::string& reason,
     int (*steps)(int cells) = [](int) { return steady_steps; }) {
     reports::Study study("heat, " + what);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([=](int cells) {
             return error_of_temperature(advance(problem(cells), steps(cells)), 1.0 / cells);
         })

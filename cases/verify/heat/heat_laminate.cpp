@@ -34,7 +34,7 @@ constexpr auto drop = "missing drop over the cut cell, of the derived";
 
 reports::Study study(const std::string& what, const TwoConductors& solid) {
     reports::Study study("heat-laminate, " + what);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([=](int cells) {
             return error_of_temperature(advance(heated_laminate(solid, cells), cells / 8),
                                         1.0 / cells);
@@ -74,7 +74,7 @@ double found_drop(const PrescribedHeat& heat, const FoundHeat& found) {
 
 reports::Study cut(const TwoConductors& solid) {
     reports::Study study("heat-laminate, interface inside a cell");
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([=](int cells) {
             const TwoConductors wider = widened(solid, cells);
             PrescribedHeat heat = heated_laminate(wider, cells);

@@ -83,9 +83,9 @@ reports::Measurement heating(int cells) {
     return error_of_temperature(advance(heat, cells / 2), 1.0 / cells);
 }
 
-reports::Study study(const std::string& what, const reports::Measure& measure) {
+reports::Study study(const std::string& what, const reports::MeasureGrid& measure) {
     reports::Study study("heat-layer, " + what);
-    study.grids({32, 64, 128, 256})
+    study.refines("rows", {32, 64, 128, 256})
         .measure(measure)
         .gate("T", Norm::L2, expect(2.0).within(0.1), "centred differences, clustered smoothly")
         .gate("T", Norm::Linf, expect(2.0).within(0.1), "the same at the surface");

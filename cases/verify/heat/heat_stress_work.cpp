@@ -70,7 +70,7 @@ Problem constant_volume(int cells) {
 reports::Study study(const std::string& what, Problem (*problem)(int cells),
                      const std::string& reason) {
     reports::Study study("heat-stress-work, " + what);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([problem](int cells) {
             const auto [scene, solid] = problem(cells);
             return error_of_temperature(advance(manufactured(scene, solid), steps), 1.0 / cells);

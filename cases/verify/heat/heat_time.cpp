@@ -76,7 +76,7 @@ reports::Study study(const std::string& what, const std::function<PrescribedHeat
                      double order, const std::vector<std::string>& terms,
                      const std::string& reason) {
     reports::Study study("heat-time, " + what);
-    study.grids({128, 256, 512, 1024})
+    study.refines("steps", {128, 256, 512, 1024})
         .measure([problem](int steps) {
             return error_of_temperature(advance(problem(), steps), 1.0 / steps);
         })

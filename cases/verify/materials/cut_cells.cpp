@@ -150,7 +150,7 @@ Measurement elastic_strip(int cells) {
 
 reports::Study heat(const std::string& what, const std::function<Measurement(int)>& measure) {
     reports::Study study("cut-cells, heat " + what);
-    study.grids({32, 64, 128, 256}).measure(measure).covers({term::heat_interface});
+    study.refines("cells", {32, 64, 128, 256}).measure(measure).covers({term::heat_interface});
     return study;
 }
 
@@ -179,7 +179,7 @@ std::vector<reports::Study> heat_studies() {
 
 reports::Study elastic(const std::string& what, const DiscAndMatrix& pair) {
     reports::Study study("cut-cells, " + what);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([=](int cells) { return elastic_disc(pair, cells); })
         .covers({term::elastic_interface})
         .gate("displacement, arithmetic", Norm::L2, expect(1.0).within(0.15), ring)
@@ -198,7 +198,7 @@ std::vector<reports::Study> studies() {
     soft_disc.bound("displacement, harmonic / arithmetic", 256, between(3.0, 6.0),
                     "the price: a ring that holds a soft disc carries along itself, in parallel");
     reports::Study strip("cut-cells, pressed strip");
-    strip.grids({16, 64, 256})
+    strip.refines("columns", {16, 64, 256})
         .measure(elastic_strip)
         .covers({term::elastic_interface})
         .gate("v, arithmetic", Norm::L2, expect(1.0).within(0.1), ring)

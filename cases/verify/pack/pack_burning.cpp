@@ -117,7 +117,7 @@ reports::Measurement measure(int columns) {
 
 std::vector<reports::Study> studies() {
     reports::Study study("pack-burning");
-    study.grids({120})
+    study.refines("columns", {120})
         .measure(measure)
         .covers({term::moving_morphology, term::elastic_interface, term::stress_advection,
                  term::pyrolysis})

@@ -101,7 +101,7 @@ reports::Measurement measure(int nx) {
 std::vector<reports::Study> studies() {
     const double williams = reference::corner_exponent(reference::ap(), reference::binder()) - 1.0;
     reports::Study study("corner");
-    study.grids({256, 512})
+    study.refines("columns", {256, 512})
         .measure(measure)
         .covers({term::elasticity, term::equilibrium, term::traction, term::elastic_interface,
                  term::incompressibility})

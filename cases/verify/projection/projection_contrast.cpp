@@ -152,7 +152,7 @@ reports::Measurement measure(double contrast, int cells) {
 reports::Study study(double contrast) {
     const auto second = expect(2.0).within(0.1).from(64);
     reports::Study study(fmt::format("projection-contrast, mu ratio {:.0e}", contrast));
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([=](int cells) { return measure(contrast, cells); })
         .covers({term::elastic_interface, term::incompressibility, term::equilibrium});
     for (const double k : incompressibilities)
@@ -176,7 +176,7 @@ reports::Study study(double contrast) {
 reports::Study cut_patches() {
     const auto second = expect(2.0).within(0.1).from(40);
     reports::Study study("projection-contrast, faces between cells of a patch");
-    study.grids({24, 40, 72, 136})
+    study.refines("cells", {24, 40, 72, 136})
         .measure([](int cells) { return errors(strip(1e4, 1e5), Element::bbar, cells); })
         .covers({term::elastic_interface, term::incompressibility});
     for (const auto quantity : quantities)

@@ -111,7 +111,7 @@ reports::Measurement cut_and_deep(int nx) {
 reports::Study exact_on_grid_lines(const std::string& name, const LaminateConditions& laminate,
                                    double tolerance) {
     reports::Study study("projection-laminate, " + name);
-    study.grids({8, 32})
+    study.refines("columns", {8, 32})
         .measure([laminate](int nx) { return aligned(laminate, nx); })
         .covers({term::elasticity, term::equilibrium, term::traction, term::support,
                  term::elastic_interface, term::incompressibility, term::clustering});
@@ -125,7 +125,7 @@ reports::Study exact_on_grid_lines(const std::string& name, const LaminateCondit
 
 std::vector<reports::Study> studies() {
     reports::Study between_lines("projection-laminate, interface inside cells");
-    between_lines.grids({16, 64, 256})
+    between_lines.refines("columns", {16, 64, 256})
         .measure(cut)
         .covers({term::elastic_interface, term::equilibrium})
         .gate("u", Norm::L2, expect(1.0).within(0.1), "wrong strain in a column of width h")
@@ -135,7 +135,7 @@ std::vector<reports::Study> studies() {
         .gate("sigma_yy", Norm::L2, expect(0.5).within(0.05, 0.2),
               "the root of that share; what is wrong by h elsewhere still shows on coarse grids");
     reports::Study moduli("projection-laminate, moduli of cut cells");
-    moduli.grids({16, 64})
+    moduli.refines("columns", {16, 64})
         .measure(cut_and_deep)
         .covers({term::elastic_interface})
         .bound(softening, 16, between(0.999, 1.001),

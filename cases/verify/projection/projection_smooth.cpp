@@ -124,7 +124,7 @@ reports::Study on_flat(const std::string& name, Element element) {
         .body = flat, .truth = {ClampedWaves{flat, amplitude}, moduli}, .clustering = 0.0};
     const auto second = expect(2.0).within(0.1);
     reports::Study study("projection-smooth, flat, " + name);
-    study.grids({32, 64, 128})
+    study.refines("cells", {32, 64, 128})
         .measure([=](int cells) { return measure(chosen, element, cells); })
         .covers({term::elasticity, term::equilibrium})
         .gate("v", Norm::L2, second, "bilinear elements, loads by trapezoids: h^2 each")
@@ -138,7 +138,7 @@ reports::Study below_waves(const std::string& name, const Chosen& chosen,
                            const std::vector<std::string>& terms, Element element = Element::bbar) {
     const auto second = expect(2.0).within(0.1).from(64);
     reports::Study study("projection-smooth, " + name);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([=](int cells) { return measure(chosen, element, cells); })
         .covers(terms)
         .gate("v", Norm::L2, second,

@@ -30,7 +30,7 @@ reports::Measurement gradients(const FollowedMotion& motion, int cells) {
 
 reports::Study linear_map(const std::string& name, const FollowedMotion& motion) {
     reports::Study study("deformation, " + name);
-    study.grids({64})
+    study.refines("cells", {64})
         .measure([motion](int cells) { return gradients(motion, cells); })
         .covers({term::deformation, term::slope, term::clustering});
     for (const auto* worst : {worst_f, worst_e})
@@ -41,7 +41,7 @@ reports::Study linear_map(const std::string& name, const FollowedMotion& motion)
 
 reports::Study curved_map(const std::string& name, const FollowedMotion& motion) {
     reports::Study study("deformation, " + name);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([motion](int cells) { return gradients(motion, cells); })
         .covers({term::deformation, term::slope, term::clustering});
     for (const auto* quantity : {"F", "E"})

@@ -125,7 +125,7 @@ reports::Measurement stretch(int cells) {
 
 reports::Study step_study(const std::string& name, const FollowedMotion& motion) {
     reports::Study study("reference-map, one step, " + name);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([motion](int cells) { return one_step(motion, cells); })
         .covers({term::map_advection, term::slope, term::clustering, term::grid_motion})
         .gate(rate, Norm::L1, expect(2.0).within(0.1), "ENO2")
@@ -136,7 +136,7 @@ reports::Study step_study(const std::string& name, const FollowedMotion& motion)
 
 reports::Study turning() {
     reports::Study study("reference-map, turned in n steps");
-    study.grids({4, 8, 16, 32})
+    study.refines("steps", {4, 8, 16, 32})
         .measure(turn)
         .covers({term::map_advection, term::deformation, term::time_step})
         .gate("xi - x", Norm::L2, expect(1.0).within(0.05), "Euler; a linear map is exact in space")
@@ -150,7 +150,7 @@ reports::Study turning() {
 
 reports::Study stretching() {
     reports::Study study("reference-map, stretched, dt ~ h^2");
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure(stretch)
         .covers({term::map_advection, term::deformation, term::clustering});
     for (const auto* quantity : {"xi - x", "F", "E"})

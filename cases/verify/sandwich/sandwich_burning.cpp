@@ -98,9 +98,10 @@ reports::Measurement measure(int columns) {
 
 std::vector<reports::Study> studies() {
     reports::Study study("sandwich-burning");
-    study.grids({64, 128}).measure(measure).covers({term::incompressibility,
-                                                    term::elastic_interface, term::equilibrium,
-                                                    term::traction, term::deformation});
+    study.refines("columns", {64, 128})
+        .measure(measure)
+        .covers({term::incompressibility, term::elastic_interface, term::equilibrium,
+                 term::traction, term::deformation});
     for (const int columns : {64, 128})
         study
             .bound("surface displacement, alternation", columns, at_most(0.01),

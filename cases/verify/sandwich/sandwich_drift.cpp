@@ -58,7 +58,7 @@ reports::Measurement measure(int columns) {
 
 std::vector<reports::Study> studies() {
     reports::Study study("sandwich-drift");
-    study.grids({16})
+    study.refines("columns", {16})
         .measure(measure)
         .covers({term::stress_advection, term::map_advection, term::equilibrium, term::grid_motion})
         .bound("burn rate, last against first tenth", 16, between(0.999, 1.001),

@@ -101,7 +101,7 @@ reports::Measurement measure(int nx) {
 
 std::vector<reports::Study> studies() {
     reports::Study study("sandwich-mechanical");
-    study.grids({128})
+    study.refines("columns", {128})
         .measure(measure)
         .covers({term::elasticity, term::equilibrium, term::traction, term::support,
                  term::elastic_interface, term::incompressibility})

@@ -172,7 +172,7 @@ std::vector<reports::Study> studies() {
     const double lambda = reference::corner_exponent(reference::ap(), reference::binder());
     const double pollution = 2.0 * lambda;
     reports::Study study("sandwich-orders");
-    study.grids({coarsest, 128, 256, 512})
+    study.refines("columns", {coarsest, 128, 256, 512})
         .measure(measure)
         .covers({term::elasticity, term::equilibrium, term::traction, term::elastic_interface,
                  term::incompressibility})

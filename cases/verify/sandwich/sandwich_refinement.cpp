@@ -45,6 +45,7 @@ using reports::between;
 using reports::expect;
 using reports::Measurement;
 using reports::Norm;
+using reports::Setting;
 
 constexpr double interface = 30.0 * um;
 constexpr double middle = 60.0 * um;  // of the AP's half, and smooth from there on
@@ -66,11 +67,12 @@ constexpr auto notch_change = "surface at the interface, change from half the co
 constexpr auto rate_change = "mean burn rate, change from half the columns, relative";
 constexpr int coarsest = 32;
 
-Scene scene(int columns, int rows, double step) {
+/// The axes are keys of the scene; where steps are refined, their number until the end.
+Scene scene(const Setting& at) {
     Scene result = sandwich({"time.end=8 ms"});
-    result.domain.nx = columns;
-    result.domain.ny = rows;
-    result.time.step = step;
+    result.domain.nx = at.count("columns");
+    result.domain.ny = at.count("rows");
+    result.time.step = at.has("steps") ? 8.0 * ms / at.count("steps") : at.number("step");
     return result;
 }
 
@@ -107,8 +109,8 @@ reports::Sample along_surface(const Snapshot& at, double from, double to, const 
     return sample;
 }
 
-Measurement measure(const Scene& scene, double h) {
-    const auto burn = kept_burn(scene, {});
+Measurement measure(const Setting& at, double h) {
+    const auto burn = kept_burn(scene(at), {});
     const Snapshot& last = burn->last;
     const auto t = [&](int i, int j) { return last.temperature(i, j); };
     const auto y = [&](int i, int j) { return last.position(i, j).y(); };
@@ -129,11 +131,12 @@ Measurement measure(const Scene& scene, double h) {
 }
 
 /// As above, and how far the numbers without an order are from those of half the columns.
-Measurement measure_columns(int columns) {
-    const auto at = [](int n) { return scene(n, 48, 80.0 * us); };
-    Measurement result = measure(at(columns), 1.0 / columns);
+Measurement measure_columns(const Setting& at) {
+    const int columns = at.count("columns");
+    Measurement result = measure(at, 1.0 / columns);
     if (columns == coarsest) return result;
-    const Measurement half = measure(at(columns / 2), 2.0 / columns);
+    Setting coarser = at;
+    const Measurement half = measure(coarser.set("columns", long(columns / 2)), 2.0 / columns);
     const auto change = [&](const char* quantity) {
         return result.sample_of(quantity)->values.front() -
                half.sample_of(quantity)->values.front();
@@ -147,8 +150,10 @@ reports::Study in_steps() {
     const auto first = expect(1.0).within(0.05);
     const auto why = "each room takes something from the last step";
     reports::Study study("sandwich-refinement, steps");
-    study.grids({50, 100, 200, 400})
-        .measure([](int n) { return measure(scene(32, 48, 8.0 * ms / n), 1.0 / n); })
+    study.at("columns", 32L)
+        .at("rows", 48L)
+        .refines("steps", {50, 100, 200, 400})
+        .measure([](const Setting& at) { return measure(at, 1.0 / at.count("steps")); })
         .covers({term::time_step, term::heat_storage, term::pyrolysis, term::thermal_stress,
                  term::jaumann_rotation});
     for (const auto quantity : {rate, temperature, surface, notch, axis, corner_pressure,
@@ -160,8 +165,10 @@ reports::Study in_steps() {
 reports::Study in_rows() {
     const auto second = expect(2.0).within(0.15);
     reports::Study study("sandwich-refinement, rows");
-    study.grids({24, 48, 96})
-        .measure([](int n) { return measure(scene(64, n, 40.0 * us), 1.0 / n); })
+    study.at("columns", 64L)
+        .at("step", reports::Amount{40.0 * us, "s"})
+        .refines("rows", {24, 48, 96})
+        .measure([](const Setting& at) { return measure(at, 1.0 / at.count("rows")); })
         .covers({term::clustering, term::heat_conduction, term::thermal_stress})
         .difference_gate(temperature, Norm::L2, second, "bilinear elements, smooth there")
         .difference_gate(surface, Norm::L2, second, "follows T_s")
@@ -174,7 +181,9 @@ reports::Study in_columns() {
     const auto singular = expect(1.19).within(0.3).scattering(0.4);
     const auto why = "2 lambda, lambda = 0.595; two pairs of grids scatter about it";
     reports::Study study("sandwich-refinement, columns");
-    study.grids({32, 64, 128, 256})
+    study.at("rows", 48L)
+        .at("step", reports::Amount{80.0 * us, "s"})
+        .refines("columns", {32, 64, 128, 256})
         .measure(measure_columns)
         .covers({term::elastic_interface, term::incompressibility, term::heat_interface,
                  term::slope, term::surface_kink, term::jaumann_rotation})

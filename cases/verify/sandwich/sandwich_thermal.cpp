@@ -72,7 +72,7 @@ reports::Measurement measure(int n) {
 
 std::vector<reports::Study> studies() {
     reports::Study study("sandwich-thermal");
-    study.grids({128})
+    study.refines("columns", {128})
         .measure(measure)
         .covers({term::heat_convection, term::heat_conduction, term::heat_interface, term::gas_flux,
                  term::reaction_flux, term::clustering})

@@ -85,7 +85,7 @@ reports::Study study(const std::string& name, const std::function<Slab(int cells
     const auto stress = expect(2.0).or_better(0.1).from(64).scattering(0.4);
 
     reports::Study study(name);
-    study.grids({32, 64, 128, 256})
+    study.refines("rows", {32, 64, 128, 256})
         .measure([slab](int cells) { return measure(slab(cells), cells); })
         .covers({term::heat_convection, term::heat_conduction, term::stress_work, term::gas_flux,
                  term::elasticity, term::stress_advection, term::thermal_stress, term::equilibrium,

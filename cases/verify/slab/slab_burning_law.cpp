@@ -73,7 +73,7 @@ reports::Study study(const std::string& name, const std::string& material, doubl
     const auto order = expect(2.0).within(0.05);
 
     reports::Study study(name);
-    study.grids({32, 64, 128})
+    study.refines("rows", {32, 64, 128})
         .measure([=](int cells) { return measure(burning(material, flux, cells), cells); })
         .covers({term::heat_convection, term::heat_conduction, term::stress_work, term::gas_flux,
                  term::reaction_flux, term::elasticity, term::thermal_stress, term::pyrolysis,

@@ -80,7 +80,7 @@ reports::Study study(const std::string& name, const Burning& burning) {
     const auto first = expect(1.0).within(0.05).from(2);
 
     reports::Study study(name);
-    study.grids({1, 2, 4, 8, 16})
+    study.refines("stiffening", {1, 2, 4, 8, 16})
         .measure([burning](int n) { return measure(burning, n); })
         .covers({term::heat_convection, term::heat_conduction, term::stress_work, term::elasticity,
                  term::thermal_stress})

@@ -98,7 +98,7 @@ ProfileShape convex() {
 
 reports::Study study_of(const std::string& name, const CarriedSetup& setup) {
     reports::Study study("advection, " + name);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([setup](int cells) { return measure_rates(setup, cells); })
         .covers({term::stress_advection});
     return study;
@@ -188,12 +188,12 @@ reports::Measurement carry_jumps(int cells) {
 
 std::vector<reports::Study> studies() {
     reports::Study evolved("advection, carried for a third of a period");
-    evolved.grids({32, 64, 128, 256})
+    evolved.refines("cells", {32, 64, 128, 256})
         .measure(carry_wave)
         .covers({term::stress_advection})
         .gate(points, Norm::L1, expect(3.0).within(0.5, 0.1).from(64), logarithm);
     reports::Study jump("advection, jumps carried for a third of a period");
-    jump.grids({32, 64, 128, 256})
+    jump.refines("cells", {32, 64, 128, 256})
         .measure(carry_jumps)
         .covers({term::stress_advection})
         .gate(pressure, Norm::L1, expect(0.75).within(0.1), "smears as t^(1/4) h^(3/4)")

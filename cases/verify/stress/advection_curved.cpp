@@ -73,7 +73,7 @@ Motion uniform_under_a_curved_surface() {
 
 reports::Study study_of(const std::string& name, const CarriedSetup& setup) {
     reports::Study study("advection-curved, " + name);
-    study.grids({32, 64, 128, 256})
+    study.refines("cells", {32, 64, 128, 256})
         .measure([setup](int cells) { return measure_rates(setup, cells); })
         .covers({term::stress_advection, term::slope, term::clustering, term::grid_motion});
     return study;

@@ -85,7 +85,7 @@ double leak(int cells, Element element, double direction) {
 
 std::vector<reports::Study> studies() {
     reports::Study study("advection-interface");
-    study.grids({32, 64})
+    study.refines("cells", {32, 64})
         .covers({term::stress_advection, term::elastic_interface, term::moving_morphology})
         .measure([](int cells) {
             return reports::Measurement(1.0 / cells)

@@ -178,14 +178,14 @@ reports::Measurement shear(Element element, int steps) {
 
 std::vector<reports::Study> studies_of(Element element, const std::string& name) {
     reports::Study in_space("rotation, one step of a turning body, " + name);
-    in_space.grids({32, 64, 128, 256})
+    in_space.refines("cells", {32, 64, 128, 256})
         .measure([element](int cells) { return turn_a_little(element, cells); })
         .covers({term::jaumann_rotation, term::stress_advection})
         .gate("rate of the deviator", Norm::L1, expect(3.0).within(0.45, 0.1),
               "WENO3 carries: h^3 log(1/h) beside inflections; rotation adds no error");
 
     reports::Study in_time("rotation, by a radian, " + name);
-    in_time.grids({16, 32, 64, 128})
+    in_time.refines("steps", {16, 32, 64, 128})
         .measure([element](int steps) { return turn_a_radian(element, steps); })
         .covers({term::jaumann_rotation, term::slope, term::time_step})
         .gate("deviator", Norm::L2, expect(1.0).within(0.1), "forward Euler, no error in space")
@@ -193,7 +193,7 @@ std::vector<reports::Study> studies_of(Element element, const std::string& name)
                      "|1 + 2 i omega dt|^n = 1 + 2 theta^2/n + O(1/n^2), theta = 1; 1 %");
 
     reports::Study sheared("rotation, simple shear, " + name);
-    sheared.grids({16, 32, 64, 128})
+    sheared.refines("steps", {16, 32, 64, 128})
         .measure([element](int steps) { return shear(element, steps); })
         .covers({term::jaumann_rotation, term::elasticity, term::slope, term::time_step})
         .gate("deviator", Norm::L2, expect(1.0).within(0.1), "forward Euler, no error in space")

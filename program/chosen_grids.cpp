@@ -1,0 +1,95 @@
+#include "program/chosen_grids.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <sstream>
+
+#include "base/errors.hpp"
+
+namespace crawford {
+
+namespace {
+
+std::vector<int> numbers_in(const std::string& text) {
+    std::vector<int> values;
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) {
+        int value = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (word.empty() || error != std::errc() || end != word.data() + word.size())
+            throw InputError(fmt::format("--axis: \"{}\" is no number; give NAME=N,N,...", word));
+        values.push_back(value);
+    }
+    return values;
+}
+
+/// Axes that the studies refine, each once.
+std::vector<std::string> axes_of(const std::vector<ChosenStudy>& chosen) {
+    std::vector<std::string> axes;
+    for (const ChosenStudy& one : chosen)
+        if (std::ranges::find(axes, one.study.axis()) == axes.end())
+            axes.push_back(one.study.axis());
+    return axes;
+}
+
+}  // namespace
+
+ChosenGrids::ChosenGrids(const VerifyOptions& options, const std::vector<ChosenStudy>& chosen)
+    : values_(options.grids), named_(!options.studies.empty()) {
+    if (!options.axis.empty()) read_axis(options.axis);
+    for (const int value : values_)
+        if (value < 1)
+            throw InputError(fmt::format("{} holds {}; a grid is 1 or more",
+                                         axis_.empty() ? "--grids" : "--axis", value));
+    const auto axes = axes_of(chosen);
+    if (!axis_.empty() && std::ranges::find(axes, axis_) == axes.end())
+        throw InputError(fmt::format("--axis: no study here refines \"{}\"; choose one of {}",
+                                     axis_, fmt::join(axes, ", ")));
+    if (!options.grids.empty()) refuse_several_axes(options.studies, chosen);
+}
+
+void ChosenGrids::read_axis(const std::string& text) {
+    const size_t equals = text.find('=');
+    axis_ = text.substr(0, equals);
+    if (equals == std::string::npos || axis_.empty())
+        throw InputError(fmt::format("--axis = {}; give NAME=N,N,...", text));
+    values_ = numbers_in(text.substr(equals + 1));
+    if (values_.empty()) throw InputError(fmt::format("--axis = {}: no value is given", text));
+}
+
+void ChosenGrids::refuse_several_axes(const std::vector<std::string>& names,
+                                      const std::vector<ChosenStudy>& chosen) const {
+    for (const std::string& name : names) {
+        std::vector<ChosenStudy> own;
+        std::ranges::copy_if(chosen, std::back_inserter(own), [&](const ChosenStudy& one) {
+            return one.entry->name == name && one.study.name() != name;
+        });
+        const auto axes = axes_of(own);
+        if (axes.size() > 1)
+            throw InputError(
+                fmt::format("--grids: {0} refines {1}; say which, as in --axis "
+                            "{2}={3}",
+                            name, fmt::join(axes, ", "), axes.front(), fmt::join(values_, ",")));
+    }
+}
+
+std::optional<std::vector<int>> ChosenGrids::of(const reports::Study& study) const {
+    if (!any()) return {};
+    if (!axis_.empty() && study.axis() != axis_) return std::vector<int>{};
+    if (named_) return values_;
+    auto values = study.grids();
+    std::erase_if(values,
+                  [&](int value) { return std::ranges::find(values_, value) == values_.end(); });
+    return values;
+}
+
+std::string ChosenGrids::option(const reports::Study& study, const std::vector<int>& values) const {
+    if (axis_.empty()) return fmt::format("--grids {}", fmt::join(values, ","));
+    return fmt::format("--axis {}={}", study.axis(), fmt::join(values, ","));
+}
+
+}  // namespace crawford

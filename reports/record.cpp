@@ -1,0 +1,66 @@
+#include "reports/record.hpp"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <ctime>
+
+#include "base/errors.hpp"
+
+namespace crawford::reports {
+
+namespace {
+
+double seconds_of_this_thread() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+long peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss * 1024;
+}
+
+}  // namespace
+
+std::string_view name(Ending::Kind kind) {
+    switch (kind) {
+        case Ending::Kind::done:
+            return "done";
+        case Ending::Kind::refused:
+            return "refused";
+        default:
+            return "failed";
+    }
+}
+
+Ending ending_of(const std::exception_ptr& problem) {
+    try {
+        std::rethrow_exception(problem);
+    } catch (const InputError& error) {
+        return {Ending::Kind::refused, error.what()};
+    } catch (const std::exception& error) {
+        return {Ending::Kind::failed, error.what()};
+    } catch (...) {
+        return {Ending::Kind::failed, "unknown exception"};
+    }
+}
+
+Record record_of(const std::string& experiment, const Setting& setting,
+                 const std::function<Measurement(const Setting&)>& measure) {
+    const auto start = std::chrono::steady_clock::now();
+    const double cpu = seconds_of_this_thread();
+    Record record{.experiment = experiment, .setting = setting, .found = {}};
+    try {
+        record.found = measure(setting);
+    } catch (...) {
+        record.ending = ending_of(std::current_exception());
+    }
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    record.cost = {wall.count(), seconds_of_this_thread() - cpu, peak_memory()};
+    return record;
+}
+
+}  // namespace crawford::reports

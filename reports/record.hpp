@@ -1,0 +1,54 @@
+/// What one run found, what it cost and how it ended: the only thing that judgements and pages are
+/// made of.
+#pragma once
+
+#include <exception>
+#include <optional>
+#include <string>
+
+#include "reports/measurement.hpp"
+#include "reports/setting.hpp"
+
+namespace crawford::reports {
+
+/// What a run has taken.
+struct Cost {
+    double wall_seconds = 0.0;
+    double cpu_seconds = 0.0;    ///< of the thread that ran it
+    long peak_memory_bytes = 0;  ///< of the whole program up to the end of the run
+};
+
+/// How a run has ended.
+struct Ending {
+    enum class Kind {
+        done,
+        refused,  ///< the input was wrong: nothing was computed
+        failed    ///< the numbers failed, or the program did
+    };
+
+    Kind kind = Kind::done;
+    std::string message = {};  ///< why it is not done
+
+    bool is_done() const { return kind == Kind::done; }
+};
+
+/// "done", "refused", "failed".
+std::string_view name(Ending::Kind kind);
+
+/// The ending of a run that threw.
+Ending ending_of(const std::exception_ptr& problem);
+
+struct Record {
+    std::string experiment;  ///< for example the name of a study
+    Setting setting;
+    std::optional<Measurement> found;  ///< where the run is done
+    Cost cost = {};
+    Ending ending = {};
+    std::string fingerprint = {};  ///< of what the answer depends on besides the setting
+};
+
+/// Runs `measure` and books what it took and how it ended; throws nothing.
+Record record_of(const std::string& experiment, const Setting& setting,
+                 const std::function<Measurement(const Setting&)>& measure);
+
+}  // namespace crawford::reports

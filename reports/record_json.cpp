@@ -1,0 +1,126 @@
+#include "reports/record_json.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace crawford::reports {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+    if (std::isfinite(value)) return value;
+    if (std::isnan(value)) return "nan";
+    return value > 0.0 ? "inf" : "-inf";
+}
+
+double number(const Json& json) {
+    if (json.is_number()) return json.get<double>();
+    const auto word = json.get<std::string>();
+    if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+    if (word == "inf") return std::numeric_limits<double>::infinity();
+    if (word == "-inf") return -std::numeric_limits<double>::infinity();
+    throw std::invalid_argument(word + " is no number");
+}
+
+Json numbers(const std::vector<double>& values) {
+    Json json = Json::array();
+    for (const double value : values) json.push_back(number(value));
+    return json;
+}
+
+std::vector<double> numbers(const Json& json) {
+    std::vector<double> values;
+    for (const auto& value : json) values.push_back(number(value));
+    return values;
+}
+
+Json quantities(const Measurement& found) {
+    Json json = Json::array();
+    for (const auto& [key, error] : found.errors())
+        json.push_back({{"name", key.first},
+                        {"norm", name(key.second)},
+                        {"error", number(error.error)},
+                        {"scale", number(error.scale)}});
+    for (const auto& [name, value] : found.values())
+        json.push_back({{"name", name}, {"value", number(value)}});
+    for (const auto& [name, sample] : found.samples())
+        json.push_back({{"name", name},
+                        {"sample", numbers(sample.values)},
+                        {"weights", numbers(sample.weights)}});
+    return json;
+}
+
+void read_quantity(const Json& json, Measurement& found) {
+    const auto name = json.at("name").get<std::string>();
+    if (json.contains("error"))
+        found.error(name, norm_named(json.at("norm").get<std::string>()), number(json.at("error")),
+                    number(json.at("scale")));
+    else if (json.contains("value"))
+        found.value(name, number(json.at("value")));
+    else
+        found.sample(name, {numbers(json.at("sample")), numbers(json.at("weights"))});
+}
+
+Ending::Kind ending_named(const std::string& word) {
+    for (const auto kind : {Ending::Kind::done, Ending::Kind::refused, Ending::Kind::failed})
+        if (name(kind) == word) return kind;
+    throw std::invalid_argument(word + " is no outcome");
+}
+
+}  // namespace
+
+void to_json(Json& json, const Setting& setting) {
+    json = Json::object();
+    for (const auto& [axis, value] : setting.axes()) {
+        if (const auto* const quantity = std::get_if<Amount>(&value))
+            json[axis] = {{"value", number(quantity->value)}, {"unit", quantity->unit}};
+        else if (const auto* const count = std::get_if<long>(&value))
+            json[axis] = *count;
+        else
+            json[axis] = std::get<std::string>(value);
+    }
+}
+
+void from_json(const Json& json, Setting& setting) {
+    for (const auto& [axis, value] : json.items()) {
+        if (value.is_object())
+            setting.set(axis, Amount{number(value.at("value")), value.at("unit")});
+        else if (value.is_number_integer())
+            setting.set(axis, value.get<long>());
+        else
+            setting.set(axis, value.get<std::string>());
+    }
+}
+
+void to_json(Json& json, const Record& record) {
+    json = {{"experiment", record.experiment}, {"setting", record.setting}};
+    if (record.found) json["h"] = number(record.found->h());
+    json["quantities"] = record.found ? quantities(*record.found) : Json::array();
+    json["cost"] = {{"wall_seconds", record.cost.wall_seconds},
+                    {"cpu_seconds", record.cost.cpu_seconds},
+                    {"peak_memory_bytes", record.cost.peak_memory_bytes}};
+    json["outcome"] = name(record.ending.kind);
+    if (!record.ending.is_done()) json["failure"] = record.ending.message;
+    json["fingerprint"] = record.fingerprint;
+}
+
+void from_json(const Json& json, Record& record) {
+    json.at("experiment").get_to(record.experiment);
+    json.at("setting").get_to(record.setting);
+    json.at("fingerprint").get_to(record.fingerprint);
+    const auto& cost = json.at("cost");
+    record.cost = {cost.at("wall_seconds"), cost.at("cpu_seconds"), cost.at("peak_memory_bytes")};
+    record.ending.kind = ending_named(json.at("outcome"));
+    if (!record.ending.is_done()) {
+        json.at("failure").get_to(record.ending.message);
+        return;
+    }
+    record.found = Measurement(number(json.at("h")));
+    for (const auto& quantity : json.at("quantities")) read_quantity(quantity, *record.found);
+}
+
+}  // namespace crawford::reports
