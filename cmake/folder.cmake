@@ -34,11 +34,10 @@ function(crawford_objects name)
   crawford_finish(${name} ${name} ${folder_DEPENDS})
 endfunction()
 
-# crawford_program(PROGRAM NAME DEPENDS targets...): all of NAME/ as an executable.
-function(crawford_program program name)
-  cmake_parse_arguments(PARSE_ARGV 2 folder "" "" "DEPENDS")
-  crawford_own_include_path(${name})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
-  add_executable(${program} ${sources})
-  crawford_finish(${program} ${name} ${folder_DEPENDS})
+# crawford_program(NAME SOURCES...): the program, with these sources in place of the files of the libraries that define the
+# same.
+function(crawford_program name)
+  add_executable(${name} ${ARGN} $<TARGET_OBJECTS:program> $<TARGET_OBJECTS:cases>)
+  target_link_libraries(${name} PRIVATE solver reference reports base CLI11::CLI11)
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
 endfunction()

@@ -87,6 +87,11 @@ std::optional<std::vector<int>> ChosenGrids::of(const reports::Study& study) con
     return values;
 }
 
+std::string ChosenGrids::typed() const {
+    if (axis_.empty()) return fmt::format("--grids = {}", fmt::join(values_, ","));
+    return fmt::format("--axis = {}={}", axis_, fmt::join(values_, ","));
+}
+
 std::string ChosenGrids::option(const reports::Study& study, const std::vector<int>& values) const {
     if (axis_.empty()) return fmt::format("--grids {}", fmt::join(values, ","));
     return fmt::format("--axis {}={}", study.axis(), fmt::join(values, ","));

@@ -24,6 +24,9 @@ public:
     /// given, of others those of its own that were. None at all if it refines another axis.
     std::optional<std::vector<int>> of(const reports::Study& study) const;
 
+    /// "--grids = 32,64" or "--axis = rows=32,64", for messages.
+    std::string typed() const;
+
     /// "--grids 32,64" or "--axis rows=32,64", as it would be typed for these values of a study.
     std::string option(const reports::Study& study, const std::vector<int>& values) const;
 

@@ -39,7 +39,7 @@ std::vector<reports::Task> tasks_of(const std::vector<ChosenStudy>& chosen,
         return !task.grids || !task.grids->empty();
     };
     if (std::ranges::none_of(tasks, has_grid))
-        throw InputError("--grids or --axis: no study has any of these grids");
+        throw InputError(grids.typed() + ": no study has any of these grids");
     return tasks;
 }
 

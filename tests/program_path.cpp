@@ -6,4 +6,8 @@ std::string program_path() {
     return CRAWFORD_PROGRAM;
 }
 
+std::string altered_program_path() {
+    return CRAWFORD_ALTERED_PROGRAM;
+}
+
 }  // namespace crawford

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -144,7 +145,7 @@ TEST(StudyRun, FeedsAllStudiesOutOfOneQueueDearestFirst) {
     std::vector<double> to_go;
     const auto results = run(
         {{.study = noting("cheap"), .seconds = 1.0}, {.study = noting("dear"), .seconds = 100.0}},
-        [&](const Progress& p) { to_go.push_back(p.to_go); });
+        nullptr, [&](const Progress& p) { to_go.push_back(p.to_go); });
     // Costs are 80, 20, 0.8 and 0.2: with several threads only the first and the last are certain.
     EXPECT_THAT(begun, testing::UnorderedElementsAre("cheap10", "cheap20", "dear10", "dear20"));
     EXPECT_NE(begun.back().find("cheap"), std::string::npos);
@@ -154,6 +155,34 @@ TEST(StudyRun, FeedsAllStudiesOutOfOneQueueDearestFirst) {
     EXPECT_TRUE(results[1].gates.at(0).passed);
     EXPECT_EQ(to_go.size(), 4U);
     EXPECT_NEAR(to_go.back(), 0.0, 1e-12);
+}
+
+TEST(StudyRun, RunsOnlyWhatIsNotThereAndFindsTheSame) {
+    const auto directory = std::filesystem::path(testing::TempDir()) / "crawford_study_records";
+    std::filesystem::remove_all(directory);
+    std::atomic<int> runs = 0;
+    Study s("counted");
+    s.at("element", "bbar").refines("cells", {32, 64, 128}).measure([&](const Setting& at) {
+        ++runs;
+        return second_order(at.count("cells"));
+    });
+    s.gate("temperature", Norm::L2, expect(2.0).within(0.01), "h^2 added")
+        .difference_gate("T_s", Norm::magnitude, expect(2.0).within(0.01), "3 h^2 added");
+    RecordStore first(directory, "a"), second(directory, "a"), other(directory, "b");
+    const auto made = run({Task{s, std::vector{32, 64}}}, &first).at(0);
+    EXPECT_EQ(runs, 2);
+    const auto whole = run({Task{s}}, &second).at(0);
+    EXPECT_EQ(runs, 3) << "two were there";
+    EXPECT_EQ(whole.kept, 2U);
+    EXPECT_EQ(whole.gates.at(0).errors.front(), made.gates.at(0).errors.front());
+    EXPECT_TRUE(all_passed(whole.gates)) << table(whole.gates);
+    const auto judged = judge_kept({Task{s}}, other).at(0);
+    EXPECT_EQ(runs, 3) << "judging runs nothing";
+    EXPECT_TRUE(judged.is_foreign);
+    EXPECT_TRUE(all_passed(judged.gates)) << table(judged.gates);
+    run({Task{s}}, &other);
+    EXPECT_EQ(runs, 6) << "another program trusts none of them";
+    std::filesystem::remove_all(directory);
 }
 
 TEST(StudyRun, CarriesTheReasonOfARunThatThrew) {
