@@ -6,7 +6,7 @@
 ///
 /// - The printed wave speeds do not follow from the printed moduli and densities: they are 1.5 to 7
 /// %
-///   too low. Nor would one other density mend both speeds of AP.
+///   too low. Nor would one other density put both speeds right of AP.
 /// - epsilon = rho r_b^2/E is 1e-8 for the binder and less for AP, not 1e-4: quasi-statics is far
 ///   better justified than the paper says.
 /// - The Arrhenius constant is read in m/s and the heat of reaction in kcal/kg; in the printed

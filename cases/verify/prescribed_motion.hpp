@@ -1,4 +1,4 @@
-/// A motion that is written down instead of computed: what a study of one of the solver's rooms
+/// A motion that is written down instead of computed: what a study of one of the solver's modules
 /// needs around it.
 #pragma once
 

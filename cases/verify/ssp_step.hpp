@@ -1,5 +1,5 @@
 /// A step of third order in time out of Euler steps (Shu & Osher 1988): where a study evolves one
-/// room by itself, the error in time must not hide the error in space.
+/// module by itself, the error in time must not hide the error in space.
 #pragma once
 
 namespace crawford {

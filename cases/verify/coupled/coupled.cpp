@@ -98,7 +98,7 @@ std::vector<reports::Study> studies() {
                 "forward Euler; heat is second order alone, but its motion lags by a step"),
         in_time("two-step", two_step, 2.0,
                 "BDF2, all explicit terms extrapolated; its first step is Euler's, once. Xi, and F "
-                "with it, less by what ENO2 changes its mind")};
+                "with it, less where ENO2 switches its stencil")};
 }
 
 const Registered here{{.name = "coupled",

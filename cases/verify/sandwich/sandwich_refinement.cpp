@@ -5,7 +5,7 @@
 /// at 3 ms and has burnt 17 um). Orders come from differences between grids, never from the finest
 /// taken for the truth.
 ///
-/// Steps: order 1 in every number, as the paper's splitting is: what each room takes from the
+/// Steps: order 1 in every number, as the paper's splitting is: what each module takes from the
 /// last step. Anything done once a step without the measure of dt (a filter, a stress given up, a
 /// smoothing) would accumulate as 1/dt and end that.
 ///
@@ -148,7 +148,7 @@ Measurement measure_columns(const Setting& at) {
 
 reports::Study in_steps() {
     const auto first = expect(1.0).within(0.05);
-    const auto why = "each room takes something from the last step";
+    const auto why = "each module takes something from the last step";
     reports::Study study("sandwich-refinement, steps");
     study.at("columns", 32L)
         .at("rows", 48L)
