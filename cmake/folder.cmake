@@ -24,12 +24,13 @@ function(crawford_folder name)
   crawford_finish(${name} ${name} ${folder_DEPENDS})
 endfunction()
 
-# crawford_objects(NAME DEPENDS targets...): all of NAME/ as objects. Not an archive, so that what registers itself is
+# crawford_objects(NAME DEPENDS targets... BUT files...): all of NAME/, but these files, as objects. Not an archive, so that what registers itself is
 # linked although nobody calls it.
 function(crawford_objects name)
-  cmake_parse_arguments(PARSE_ARGV 1 folder "" "" "DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 folder "" "" "DEPENDS;BUT")
   crawford_own_include_path(${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.cpp)
+  list(REMOVE_ITEM sources ${folder_BUT})
   add_library(${name} OBJECT ${sources})
   crawford_finish(${name} ${name} ${folder_DEPENDS})
 endfunction()
@@ -38,6 +39,6 @@ endfunction()
 # same.
 function(crawford_program name)
   add_executable(${name} ${ARGN} $<TARGET_OBJECTS:program> $<TARGET_OBJECTS:cases>)
-  target_link_libraries(${name} PRIVATE solver reference reports base CLI11::CLI11)
+  target_link_libraries(${name} PRIVATE openmp_entry solver reference reports base CLI11::CLI11)
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
 endfunction()
