@@ -37,7 +37,9 @@ MaterialMap::MaterialMap(const Morphology& morphology, const Grid& grid, const N
       morphology_(morphology),
       conductivity_(numerics.cut_cell_conductivity),
       moduli_(numerics.cut_cell_moduli),
-      fraction_(grid.cell_columns(), grid.rows(), 1.0) {
+      fraction_(grid.cell_columns(), grid.rows(), 1.0),
+      bulk_modulus_(grid.cell_columns(), grid.rows()),
+      shear_modulus_(grid.cell_columns(), grid.rows()) {
     follow(SurfaceField(size_t(grid.node_columns()), 0.0));
 }
 
@@ -57,7 +59,16 @@ void MaterialMap::follow(const SurfaceField& surface, const NodeVectors& shift) 
     }
     if (const auto* discs = std::get_if<Discs>(&morphology_.shape)) fill_discs(*discs, where);
     for (double& fraction : fraction_.values()) fraction = snapped(fraction);
+    find_moduli();
     if (is_laminate()) find_normals(surface);
+}
+
+void MaterialMap::find_moduli() {
+    for (size_t k = 0; k < fraction_.values().size(); ++k) {
+        const double fraction = fraction_.values()[k];
+        bulk_modulus_.values()[k] = modulus(fraction, &Material::bulk_modulus);
+        shear_modulus_.values()[k] = modulus(fraction, &Material::shear_modulus);
+    }
 }
 
 void MaterialMap::find_normals(const SurfaceField& surface) {
@@ -139,17 +150,9 @@ double MaterialMap::heat_capacity(int i, int j) const {
                       second().density * second().specific_heat);
 }
 
-double MaterialMap::modulus(int i, int j, double Material::*property) const {
+double MaterialMap::modulus(double fraction, double Material::*property) const {
     const auto mean = moduli_ == CutModuli::harmonic ? harmonic : arithmetic;
-    return mean(fraction_(i, j), first().*property, second().*property);
-}
-
-double MaterialMap::bulk_modulus(int i, int j) const {
-    return modulus(i, j, &Material::bulk_modulus);
-}
-
-double MaterialMap::shear_modulus(int i, int j) const {
-    return modulus(i, j, &Material::shear_modulus);
+    return mean(fraction, first().*property, second().*property);
 }
 
 double MaterialMap::thermal_expansion(int i, int j) const {

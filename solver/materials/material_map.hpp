@@ -39,11 +39,12 @@ public:
     /// [W/(m K)]; zero but in a cut cell that is read as a laminate.
     Eigen::Matrix2d further_conductivity(int i, int j) const;
 
-    double density(int i, int j) const;            ///< rho [kg/m^3]
-    double heat_capacity(int i, int j) const;      ///< rho c_p [J/(m^3 K)]
-    double bulk_modulus(int i, int j) const;       ///< K [Pa]
-    double shear_modulus(int i, int j) const;      ///< mu [Pa]
-    double thermal_expansion(int i, int j) const;  ///< alpha [1/K]
+    double density(int i, int j) const;        ///< rho [kg/m^3]
+    double heat_capacity(int i, int j) const;  ///< rho c_p [J/(m^3 K)]
+    double bulk_modulus(int i, int j) const { return bulk_modulus_(i, j); }    ///< K [Pa]
+    double shear_modulus(int i, int j) const { return shear_modulus_(i, j); }  ///< mu [Pa]
+    const CellField& shear_modulus() const { return shear_modulus_; }          ///< mu [Pa]
+    double thermal_expansion(int i, int j) const;                              ///< alpha [1/K]
 
     /// beta = 3 alpha K [Pa/K] (paper eq. 38), or alpha K under the other reading.
     double thermal_stress(int i, int j, ThermalStress reading) const;
@@ -59,7 +60,8 @@ public:
 private:
     bool is_carried() const { return morphology_.indicator == Indicator::reference_map; }
     bool is_laminate() const { return conductivity_ == CutConductivity::laminate; }
-    double modulus(int i, int j, double Material::*property) const;
+    double modulus(double fraction, double Material::*property) const;
+    void find_moduli();
     void find_normals(const SurfaceField& surface);
     void fill_strip(double width);
     void fill_carried_strip(double width, const CarriedGrid& carried);
@@ -71,6 +73,7 @@ private:
     CutConductivity conductivity_;
     CutModuli moduli_;
     CellField fraction_;
+    CellField bulk_modulus_, shear_modulus_;  ///< kept: a stress step reads each some forty times
     NodeVectors normal_;  ///< of the interface in each cell, where cut cells are laminates
 };
 

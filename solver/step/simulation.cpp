@@ -194,16 +194,9 @@ struct Simulation::Rooms {
     /// The grid has moved through the morphology, or the morphology with the solid: cells that
     /// became softer cannot hold what they held.
     void follow_material(State& next) {
-        shear_modulus_before = shear_modulus();
+        shear_modulus_before = materials.shear_modulus();
         materials.follow(next.surface, next.reference_shift);
         stress->soften(next.stress, shear_modulus_before);
-    }
-
-    CellField shear_modulus() const {
-        CellField modulus(grid.cell_columns(), grid.rows());
-        for (int i = 0; i < grid.cell_columns(); ++i)
-            for (int j = 0; j < grid.rows(); ++j) modulus(i, j) = materials.shear_modulus(i, j);
-        return modulus;
     }
 
     /// Keeps `now` for the next step to look back at, as soft as the material has become since.
