@@ -3,55 +3,94 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "solver/linear_solvers/one_thread.hpp"
+#include "solver/linear_solvers/permuted_matrix.hpp"
 
 namespace crawford {
 
 namespace {
 
+/// METIS seeds the C library's one generator at each call and draws from it: two analyses at once
+/// would draw from each other's, order the unknowns in another way each time, and a run would not
+/// have the same bits again.
 template <class Factorisation>
-class Direct : public SpdSolver {
+void analyse(Factorisation& factorisation, const SparseMatrix& lower) {
+    static std::mutex one_at_a_time;
+    const std::scoped_lock lock(one_at_a_time);
+    factorisation.analyzePattern(lower);
+}
+
+template <class Factorisation>
+void factorise(Factorisation& factorisation, const SparseMatrix& lower) {
+    factorisation.factorize(lower);
+    if (factorisation.info() != Eigen::Success)
+        throw NumericalFailure("linear solver: the matrix is not positive definite");
+}
+
+using Supernodal = Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower>;
+
+class Factor : public Supernodal {
 public:
+    explicit Factor(int ordering) {
+        cholmod().nmethods = 1;
+        cholmod().method[0].ordering = ordering;
+        cholmod().print = 0;  // failures are exceptions, not lines on the terminal
+    }
+
+    /// Which unknown comes first, second, ... after analyzePattern().
+    std::vector<int> order() const {
+        const auto* const first = static_cast<const int*>(m_cholmodFactor->Perm);
+        return {first, first + m_cholmodFactor->n};
+    }
+};
+
+/// Nested dissection orders the unknowns once; the matrix is then handed over in that order. Left
+/// to itself CHOLMOD would permute it at each factorisation, by transposing it twice, which takes a
+/// quarter of the time. Order, factor and every bit are the same.
+class Cholmod : public SpdSolver {
+public:
+    Cholmod() : factor_(CHOLMOD_NATURAL) {
+        factor_.cholmod().postorder = 0;  // the order that is given has been postordered
+    }
+
     int solve(const SparseMatrix& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
         use_one_thread();
-        if (!analysed_) analyse(lower);
-        analysed_ = true;
-        factorisation_.factorize(lower);
-        if (factorisation_.info() != Eigen::Success)
-            throw NumericalFailure("linear solver: the matrix is not positive definite");
-        x = factorisation_.solve(b);
+        if (!matrix_) begin(lower);
+        factorise(factor_, matrix_->of(lower));
+        x = matrix_->restored(factor_.solve(matrix_->permuted(b)));
         return 0;
     }
 
-protected:
-    Factorisation factorisation_;
+private:
+    void begin(const SparseMatrix& lower) {
+        Factor dissection(CHOLMOD_METIS);
+        analyse(dissection, lower);
+        matrix_.emplace(lower, dissection.order());
+        analyse(factor_, matrix_->of(lower));
+    }
+
+    Factor factor_;
+    std::optional<PermutedMatrix> matrix_;
+};
+
+class Ldlt : public SpdSolver {
+public:
+    int solve(const SparseMatrix& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
+        if (!analysed_) analyse(factor_, lower);
+        analysed_ = true;
+        factorise(factor_, lower);
+        x = factor_.solve(b);
+        return 0;
+    }
 
 private:
-    /// METIS seeds the C library's one generator at each call and draws from it: two analyses at
-    /// once would draw from each other's, order the unknowns in another way each time, and a run
-    /// would not have the same bits again.
-    void analyse(const SparseMatrix& lower) {
-        static std::mutex one_at_a_time;
-        const std::scoped_lock lock(one_at_a_time);
-        factorisation_.analyzePattern(lower);
-    }
-
+    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> factor_;
     bool analysed_ = false;
 };
-
-class Cholmod : public Direct<Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower>> {
-public:
-    Cholmod() {
-        auto& options = factorisation_.cholmod();
-        options.nmethods = 1;
-        options.method[0].ordering = CHOLMOD_METIS;
-        options.print = 0;  // failures are exceptions, not lines on the terminal
-    }
-};
-
-using Ldlt = Direct<Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>>;
 
 }  // namespace
 
