@@ -28,21 +28,34 @@ define install
 	fi
 endef
 
-.PHONY: help deps tools build test verify mutants figures ledger bench format check-format tidy clean
+# What clang-tidy looks at for a change: the sources that differ from the last commit a day older than this one, at
+# most so many of them (all: make tidy).
+TIDY_SINCE ?= $(shell git rev-list -1 --before="@$$(($$(git log -1 --format=%ct) - 86400))" HEAD)
+TIDY_MOST ?= 24
+
+# How each file is compiled, but without GCC's precompiled headers, which clang cannot read: so a source that relies on
+# them for an include of its own is found, too.
+define tidy_database
+	@mkdir -p build/tidy
+	@sed -E 's/-Winvalid-pch -include [^ ]*cmake_pch\.hxx//; s/-fpch-preprocess//' build/compile_commands.json \
+	  > build/tidy/compile_commands.json
+endef
+
+.PHONY: help deps tools program build test verify mutants figures ledger bench format check-format tidy tidy-changed clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
 	@echo '              with a report to read: $(OUT)/verify/report.html'
 	@echo 'make test     build, then run the tests of the parts (JUnit XML: build/junit.xml)'
 	@echo 'make mutants  put seeded faults into a copy, one by one, and ask who sees them (hours; FAULTS=names)'
-	@echo 'make build    build/crawford'
+	@echo 'make program  build/crawford; make build: the tests as well'
 	@echo 'make figures  the figures of the paper and the ledger of its claims, with their pages: read'
 	@echo '              $(OUT)/figures/index.html (FIDELITY=draft|paper|fine, now $(FIDELITY)). What was cut off goes on'
 	@echo 'make ledger   settle the ledger anew: readings, refinements, other packs (hours)'
 	@echo 'make bench    how fast the parts are'
 	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
 	@echo 'make format   put all sources into the one format; make check-format only looks'
-	@echo 'make tidy     clang-tidy over all sources'
+	@echo 'make tidy     clang-tidy over all sources; make tidy-changed: over what changed of late'
 	@echo 'make clean    remove build/'
 
 deps:
@@ -51,14 +64,17 @@ deps:
 tools:
 	$(call install,$(TOOLS))
 
-build: deps
+program: deps
 	@cmake --preset release >/dev/null
+	@cmake --build --preset release --target crawford --parallel $(JOBS)
+
+build: program
 	@cmake --build --preset release --parallel $(JOBS)
 
 test: build
 	@ctest --preset release --label-exclude verify --parallel $(JOBS) --output-junit junit.xml
 
-verify: build
+verify: program
 	@build/crawford verify --out $(OUT)/verify
 
 mutants: deps
@@ -66,16 +82,16 @@ mutants: deps
 	@cmake --build --preset release --target mutants --parallel $(JOBS)
 	@build/tests/mutants/mutants $(FAULTS)
 
-figures: build
+figures: program
 	@build/crawford run --all --fidelity $(FIDELITY) --out $(OUT)
 	@build/crawford ledger --out $(OUT)
 
 # What is settled at the paper's fidelity is what the tree keeps.
-ledger: build
+ledger: program
 	@build/crawford ledger --settle --fidelity $(FIDELITY) --out $(OUT)
 	@if [ $(FIDELITY) = paper ]; then cp $(OUT)/figures/ledger.json results/ledger.json; fi
 
-bench: build
+bench: program
 	@cmake --build --preset release --target bench --parallel $(JOBS)
 	@build/tests/bench/bench
 
@@ -86,7 +102,13 @@ check-format: tools
 	@clang-format --dry-run --Werror $(SOURCES)
 
 tidy: tools build
-	@run-clang-tidy -quiet -p build '$(CURDIR)/(base|solver|reference|reports|cases|program|tests)/.*'
+	$(tidy_database)
+	@run-clang-tidy -quiet -p build/tidy '$(CURDIR)/(base|solver|reference|reports|cases|program|tests)/.*'
+
+tidy-changed: tools build
+	$(tidy_database)
+	@git diff --name-only --diff-filter=d $(TIDY_SINCE) -- '*.cpp' | head -n $(TIDY_MOST) | \
+	  xargs -r -P $(JOBS) -n 1 clang-tidy --quiet -p build/tidy
 
 clean:
 	@rm -rf build

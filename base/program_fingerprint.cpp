@@ -43,7 +43,10 @@ std::string build_id_of(const dl_phdr_info& object) {
     for (int k = 0; k < object.dlpi_phnum; ++k) {
         const auto& segment = object.dlpi_phdr[k];
         if (segment.p_type != PT_NOTE) continue;
-        const auto* const notes = reinterpret_cast<const char*>(object.dlpi_addr + segment.p_vaddr);
+        // The loader gives addresses as numbers.
+        const auto* const notes =
+            reinterpret_cast<const char*>(  // NOLINT(performance-no-int-to-ptr)
+                object.dlpi_addr + segment.p_vaddr);
         if (auto id = build_id_in(notes, segment.p_memsz); !id.empty()) return id;
     }
     return {};

@@ -11,6 +11,7 @@
 /// cells more than they are worth. A NaN among the values is a NaN of the norm, in every norm.
 namespace crawford::reports {
 
+// NOLINTBEGIN(readability-identifier-naming): these are the names of the field.
 enum class Norm {
     L1,         ///< Mean of |e|, weighted by cell size
     L2,         ///< Root of the mean of e^2, weighted by cell size
@@ -18,6 +19,7 @@ enum class Norm {
     paper,      ///< Root mean square over the points, unweighted (paper eq. 55)
     magnitude,  ///< |e| of a single number, such as a surface temperature
 };
+// NOLINTEND(readability-identifier-naming)
 
 /// The name as printed in tables: "L1", "L2", "Linf", "eq.55", "|.|".
 std::string_view name(Norm norm);

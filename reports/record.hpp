@@ -3,8 +3,10 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "reports/measurement.hpp"
 #include "reports/setting.hpp"
