@@ -1,0 +1,99 @@
+#include "reference/truth.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/nearest_name.hpp"
+
+namespace crawford::reference {
+
+namespace {
+
+/// Points on an edge that rounding has put beyond it are within, by so much of the edge's place.
+constexpr double slack = 1e-12;
+
+bool within(const Interval& range, double value) {
+    return std::isfinite(value) && value >= range.from - slack * std::abs(range.from) &&
+           value <= range.to + slack * std::abs(range.to);
+}
+
+std::string wanted(const Interval& range, const char* unit) {
+    if (std::isinf(range.from) && std::isinf(range.to)) return "a finite number";
+    if (std::isinf(range.to)) return fmt::format("at least {} {}", range.from, unit);
+    if (std::isinf(range.from)) return fmt::format("at most {} {}", range.to, unit);
+    return fmt::format("from {} to {} {}", range.from, range.to, unit);
+}
+
+std::string place(const Eigen::Vector2d& point) {
+    return fmt::format("({}, {}) m", point.x(), point.y());
+}
+
+}  // namespace
+
+FieldTable::FieldTable(std::vector<Field> fields, Eigen::MatrixXd values)
+    : fields_(std::move(fields)), values_(std::move(values)) {
+    if (values_.cols() != static_cast<Eigen::Index>(fields_.size()))
+        throw std::logic_error(
+            fmt::format("{} columns of values for {} fields", values_.cols(), fields_.size()));
+}
+
+std::vector<double> FieldTable::column(std::string_view field) const {
+    const auto found = std::ranges::find(fields_, field, &Field::name);
+    if (found == fields_.end()) {
+        std::vector<std::string> names;
+        for (const Field& known : fields_) names.push_back(known.name);
+        throw InputError(fmt::format("unknown field {}{}", field, suggestion(field, names)));
+    }
+    const Eigen::VectorXd values = values_.col(found - fields_.begin());
+    return {values.begin(), values.end()};
+}
+
+Truth::Truth(std::vector<Field> fields, Domain domain, Evaluate evaluate)
+    : fields_(std::move(fields)), domain_(std::move(domain)), evaluate_(std::move(evaluate)) {}
+
+FieldTable Truth::values(std::span<const Eigen::Vector2d> points, double t) const {
+    require_within(points, t);
+    try {
+        FieldTable table(fields_, evaluate_(points, t));
+        require_finite(table.values(), points, t);
+        return table;
+    } catch (const std::invalid_argument& error) {
+        throw InputError(error.what());
+    }
+}
+
+void Truth::require_within(std::span<const Eigen::Vector2d> points, double t) const {
+    if (!within(domain_.time, t))
+        throw InputError(fmt::format("time = {} s must be {}", t, wanted(domain_.time, "s")));
+    for (const Eigen::Vector2d& point : points) {
+        if (!within(domain_.x, point.x()))
+            throw InputError(
+                fmt::format("point {}: x must be {}", place(point), wanted(domain_.x, "m")));
+        const double surface = domain_.surface ? domain_.surface(point.x(), t) : 0.0;
+        if (!within(domain_.y, point.y() - surface))
+            throw InputError(fmt::format(
+                "point {}: y{} must be {}", place(point),
+                domain_.surface ? fmt::format(", counted from the surface at {} m,", surface) : "",
+                wanted(domain_.y, "m")));
+    }
+}
+
+void Truth::require_finite(const Eigen::MatrixXd& values, std::span<const Eigen::Vector2d> points,
+                           double t) const {
+    if (values.rows() != static_cast<Eigen::Index>(points.size()))
+        throw std::logic_error(
+            fmt::format("{} rows of values for {} points", values.rows(), points.size()));
+    for (Eigen::Index k = 0; k < values.rows(); ++k)
+        for (Eigen::Index field = 0; field < values.cols(); ++field)
+            if (!std::isfinite(values(k, field)))
+                throw std::runtime_error(fmt::format(
+                    "{} = {} at point {}, time = {} s", fields_[static_cast<size_t>(field)].name,
+                    values(k, field), place(points[static_cast<size_t>(k)]), t));
+}
+
+}  // namespace crawford::reference
