@@ -43,12 +43,27 @@ double beyond(const Limits& limits) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
+/// With these parameters; finite elements need not be fine here.
+Truth quickly_made(const TruthEntry& entry, Parameters given = {}) {
+    for (const Parameter& parameter : entry.parameters) {
+        if (parameter.name == "degree") given.try_emplace("degree", 3.0);
+        if (parameter.name == "layers") given.try_emplace("layers", 2.0);
+    }
+    return entry.make(given);
+}
+
+/// Two alike have no corner.
+bool is_corner_of_one_material(const TruthEntry& entry, const Parameter& parameter,
+                               const std::string& choice) {
+    return entry.name == "williams-corner" && ParameterValue(choice) != parameter.standard;
+}
+
 class EveryTruth : public testing::TestWithParam<TruthEntry> {};
 
 TEST_P(EveryTruth, HasFiniteValuesAtItsExamples) {
     const TruthEntry& entry = GetParam();
     ASSERT_FALSE(entry.examples.empty());
-    const FieldTable table = entry.make().values(entry.examples, entry.example_time);
+    const FieldTable table = quickly_made(entry).values(entry.examples, entry.example_time);
     ASSERT_EQ(table.fields().size(), entry.fields.size());
     ASSERT_EQ(table.values().rows(), static_cast<Eigen::Index>(entry.examples.size()));
     EXPECT_TRUE(table.values().allFinite());
@@ -79,17 +94,21 @@ TEST_P(EveryTruth, TakesItsOwnStandards) {
     const TruthEntry& entry = GetParam();
     Parameters standards;
     for (const Parameter& parameter : entry.parameters)
-        if (parameter.standard) standards[parameter.name] = *parameter.standard;
-    EXPECT_EQ(entry.make(standards).values(entry.examples, entry.example_time).values(),
-              entry.make().values(entry.examples, entry.example_time).values());
+        if (parameter.standard && parameter.name != "degree" && parameter.name != "layers")
+            standards[parameter.name] = *parameter.standard;
+    EXPECT_EQ(quickly_made(entry, standards).values(entry.examples, entry.example_time).values(),
+              quickly_made(entry).values(entry.examples, entry.example_time).values());
 }
 
 TEST_P(EveryTruth, TakesEveryChoice) {
     const TruthEntry& entry = GetParam();
     for (const Parameter& parameter : entry.parameters)
-        for (const std::string& choice : parameter.choices)
-            EXPECT_NO_THROW(entry.make({{parameter.name, choice}}))
+        for (const std::string& choice : parameter.choices) {
+            if (is_corner_of_one_material(entry, parameter, choice)) continue;
+            const Truth truth = quickly_made(entry, {{parameter.name, choice}});
+            EXPECT_NO_THROW(truth.values(entry.examples, entry.example_time))
                 << parameter.name << " = " << choice;
+        }
 }
 
 TEST_P(EveryTruth, RefusesEachParameterOutOfItsLimits) {
@@ -122,15 +141,15 @@ TEST_P(EveryTruth, RefusesAnUnknownParameterWithTheNearestName) {
     const TruthEntry& entry = GetParam();
     const std::string name = entry.parameters.back().name;
     EXPECT_THAT(refusal([&] {
-                    entry.make({{name + "x", 1.0}});
+                    entry.make({{name + "s", 1.0}});
                 }),
-                AllOf(StartsWith(entry.name + ": unknown parameter " + name + "x"),
+                AllOf(StartsWith(entry.name + ": unknown parameter " + name + "s"),
                       HasSubstr("did you mean " + name)));
 }
 
 TEST_P(EveryTruth, RefusesPointsOutsideItsDomain) {
     const TruthEntry& entry = GetParam();
-    const Truth truth = entry.make();
+    const Truth truth = quickly_made(entry);
     const Domain& domain = truth.domain();
     const auto refused_at = [&](const Eigen::Vector2d& point) {
         return refusal([&] { truth.values(std::vector{point}, entry.example_time); });
