@@ -14,12 +14,12 @@ namespace crawford::reference {
 
 namespace {
 
-/// Points on an edge that rounding has put beyond it are within, by so much of the edge's place.
-constexpr double slack = 1e-12;
-
+/// A point on an edge that rounding has put beyond it is within, by so much of the larger end.
 bool within(const Interval& range, double value) {
-    return std::isfinite(value) && value >= range.from - slack * std::abs(range.from) &&
-           value <= range.to + slack * std::abs(range.to);
+    constexpr double round_off = 1e-12;
+    const auto size = [](double end) { return std::isfinite(end) ? std::abs(end) : 0.0; };
+    const double slack = round_off * std::max(size(range.from), size(range.to));
+    return std::isfinite(value) && value >= range.from - slack && value <= range.to + slack;
 }
 
 std::string wanted(const Interval& range, const char* unit) {
