@@ -42,15 +42,25 @@ FieldTable::FieldTable(std::vector<Field> fields, Eigen::MatrixXd values)
             fmt::format("{} columns of values for {} fields", values_.cols(), fields_.size()));
 }
 
-std::vector<double> FieldTable::column(std::string_view field) const {
+Eigen::Index FieldTable::index(std::string_view field) const {
     const auto found = std::ranges::find(fields_, field, &Field::name);
-    if (found == fields_.end()) {
-        std::vector<std::string> names;
-        for (const Field& known : fields_) names.push_back(known.name);
-        throw InputError(fmt::format("unknown field {}{}", field, suggestion(field, names)));
-    }
-    const Eigen::VectorXd values = values_.col(found - fields_.begin());
-    return {values.begin(), values.end()};
+    if (found != fields_.end()) return found - fields_.begin();
+    std::vector<std::string> names;
+    for (const Field& known : fields_) names.push_back(known.name);
+    throw InputError(fmt::format("unknown field {}{}", field, suggestion(field, names)));
+}
+
+std::vector<double> FieldTable::column(std::string_view field) const {
+    return columns({field});
+}
+
+std::vector<double> FieldTable::columns(std::initializer_list<std::string_view> fields) const {
+    std::vector<Eigen::Index> wanted;
+    for (const std::string_view field : fields) wanted.push_back(index(field));
+    std::vector<double> values;
+    for (Eigen::Index point = 0; point < values_.rows(); ++point)
+        for (const Eigen::Index field : wanted) values.push_back(values_(point, field));
+    return values;
 }
 
 Truth::Truth(std::vector<Field> fields, Domain domain, Evaluate evaluate)
@@ -94,6 +104,12 @@ void Truth::require_finite(const Eigen::MatrixXd& values, std::span<const Eigen:
                 throw std::runtime_error(fmt::format(
                     "{} = {} at point {}, time = {} s", fields_[static_cast<size_t>(field)].name,
                     values(k, field), place(points[static_cast<size_t>(k)]), t));
+}
+
+std::vector<Eigen::Vector2d> points_at(std::span<const double> y) {
+    std::vector<Eigen::Vector2d> points;
+    for (const double height : y) points.emplace_back(0.0, height);
+    return points;
 }
 
 }  // namespace crawford::reference

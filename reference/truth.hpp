@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string>
@@ -29,8 +30,12 @@ public:
     /// One field at all points.
     /// \throws InputError where there is no such field, naming the nearest.
     std::vector<double> column(std::string_view field) const;
+    /// Several fields, all of the first point, then all of the next; \see column
+    std::vector<double> columns(std::initializer_list<std::string_view> fields) const;
 
 private:
+    Eigen::Index index(std::string_view field) const;
+
     std::vector<Field> fields_;
     Eigen::MatrixXd values_;
 };
@@ -75,5 +80,8 @@ private:
     Domain domain_;
     Evaluate evaluate_;
 };
+
+/// The points (0, y), for a truth that does not depend on x.
+std::vector<Eigen::Vector2d> points_at(std::span<const double> y);
 
 }  // namespace crawford::reference

@@ -3,6 +3,7 @@
 #include "reference/truth_entries.hpp"
 #include "reference/truth_fields.hpp"
 #include "reference/truth_materials.hpp"
+#include "reference/truth_of.hpp"
 
 namespace crawford::reference {
 
@@ -15,12 +16,21 @@ ElasticModuli moduli_of(const Given& given, const std::string& prefix = "") {
 
 Fields elastic_fields() {
     return joined({vector_fields("displacement", "m", "(u, v)"), stress_fields(),
-                   vector_fields("body_force", "N/m^3", "b = -div sigma"),
-                   vector_fields("surface_traction", "Pa", "sigma n on the surface at x")});
+                   vector_fields("body_force", "N/m^3", "b = -div sigma")});
 }
 
-Fields body_fields() {
-    return joined({surface_field(), elastic_fields()});
+template <class Elastic>
+Row elastic_row(const Elastic& elastic, const Eigen::Vector2d& at) {
+    return Row()
+        .add(elastic.displacement(at.x(), at.y()))
+        .add(elastic.stress(at.x(), at.y()))
+        .add(elastic.body_force(at.x(), at.y()));
+}
+
+/// Where the surface is, and what a traction must do there.
+Fields loaded_fields() {
+    return joined({elastic_fields(), surface_field(),
+                   vector_fields("surface_traction", "Pa", "sigma n on the surface at x")});
 }
 
 WavyBody body_of(const Given& given) {
@@ -48,13 +58,10 @@ Truth body_truth(const Given& given) {
     const ManufacturedElasticity elastic = chosen(given, body);
     const Domain around{.y = {-1.1 * body.depth, 0.1 * body.depth},
                         .surface = [body](double x, double) { return body.surface(x); }};
-    return pointwise(body_fields(), around, [=](const Eigen::Vector2d& at, double) {
+    return pointwise(loaded_fields(), around, [=](const Eigen::Vector2d& at, double) {
         const double surface = body.surface(at.x());
-        return Row()
+        return elastic_row(elastic, at)
             .add(surface)
-            .add(elastic.displacement(at.x(), at.y()))
-            .add(elastic.stress(at.x(), at.y()))
-            .add(elastic.body_force(at.x(), at.y()))
             .add(traction(elastic.stress(at.x(), surface), body.slope(at.x())));
     });
 }
@@ -67,12 +74,10 @@ Truth strip_truth(const Given& given) {
                              .inner = moduli_of(given, "inner_"),
                              .stress = given.number("stress")};
     const ManufacturedStrip elastic(strip);
-    return pointwise(elastic_fields(), {.y = {-strip.depth, 0.0}},
+    return pointwise(loaded_fields(), {.y = {-strip.depth, 0.0}},
                      [elastic](const Eigen::Vector2d& at, double) {
-                         return Row()
-                             .add(elastic.displacement(at.x(), at.y()))
-                             .add(elastic.stress(at.x(), at.y()))
-                             .add(elastic.body_force(at.x(), at.y()))
+                         return elastic_row(elastic, at)
+                             .add(0.0)
                              .add(traction(elastic.stress(at.x(), 0.0), 0.0));
                      });
 }
@@ -96,6 +101,17 @@ std::vector<Parameter> body_parameters() {
 
 }  // namespace
 
+Truth truth_of(const ManufacturedElasticity& elastic) {
+    return pointwise(elastic_fields(), {}, [elastic](const Eigen::Vector2d& at, double) {
+        return elastic_row(elastic, at);
+    });
+}
+
+Truth truth_of(const ManufacturedStrip& strip) {
+    return pointwise(elastic_fields(), {},
+                     [strip](const Eigen::Vector2d& at, double) { return elastic_row(strip, at); });
+}
+
 TruthEntry manufactured_elastic_body_entry() {
     return {.name = "manufactured-elastic-body",
             .description =
@@ -106,7 +122,7 @@ TruthEntry manufactured_elastic_body_entry() {
                 "manufactured for small-strain elasticity, div sigma + b = 0; "
                 "reference/manufactured_elastic_body.hpp",
             .parameters = body_parameters(),
-            .fields = body_fields(),
+            .fields = loaded_fields(),
             .examples = lattice({0.0, 200e-6}, {-220e-6, -20e-6}),
             .build = body_truth};
 }
@@ -128,7 +144,7 @@ TruthEntry manufactured_elastic_strip_entry() {
                               number("depth", "m", 120e-6, limits::positive, "of the bottom"),
                               number("stress", "Pa", 1e6, limits::positive,
                                      "size of the stress in both materials")}),
-        .fields = elastic_fields(),
+        .fields = loaded_fields(),
         .examples = lattice({-120e-6, 100e-6}, {-120e-6, 0.0}),
         .build = strip_truth};
 }

@@ -7,6 +7,7 @@
 #include "reference/truth_entries.hpp"
 #include "reference/truth_fields.hpp"
 #include "reference/truth_materials.hpp"
+#include "reference/truth_of.hpp"
 
 namespace crawford::reference {
 
@@ -95,21 +96,6 @@ Fields slab_fields() {
                    global_fields()});
 }
 
-Truth as_truth(const Slab& slab, const SlabConditions& conditions) {
-    auto evaluate = [slab](std::span<const Eigen::Vector2d> points, double) {
-        const std::vector<SlabState> states = slab.states(heights(points));
-        Eigen::MatrixXd table(static_cast<Eigen::Index>(points.size()), 15);
-        for (size_t k = 0; k < states.size(); ++k) {
-            const SlabState& s = states[k];
-            table.row(static_cast<Eigen::Index>(k)) << s.temperature, s.temperature_gradient, 0.0,
-                s.velocity, s.stress_11, s.stress_22, s.stress_33, 0.0, s.pressure, 1.0, 0.0, 0.0,
-                s.deformation_gradient_22, slab.surface_temperature(), slab.burn_rate();
-        }
-        return table;
-    };
-    return {slab_fields(), below_surface(conditions), evaluate};
-}
-
 Fields shot_fields() {
     return joined(
         {temperature_field(), vector_fields("velocity", "m/s", "of the solid above its cold speed"),
@@ -137,6 +123,21 @@ Fields sensitivity_field() {
 
 }  // namespace
 
+Truth truth_of(const Slab& slab) {
+    auto evaluate = [slab](std::span<const Eigen::Vector2d> points, double) {
+        const std::vector<SlabState> states = slab.states(heights(points));
+        Eigen::MatrixXd table(static_cast<Eigen::Index>(points.size()), 15);
+        for (size_t k = 0; k < states.size(); ++k) {
+            const SlabState& s = states[k];
+            table.row(static_cast<Eigen::Index>(k)) << s.temperature, s.temperature_gradient, 0.0,
+                s.velocity, s.stress_11, s.stress_22, s.stress_33, 0.0, s.pressure, 1.0, 0.0, 0.0,
+                s.deformation_gradient_22, slab.surface_temperature(), slab.burn_rate();
+        }
+        return table;
+    };
+    return {slab_fields(), below_surface(slab.conditions()), evaluate};
+}
+
 TruthEntry slab_entry() {
     return {.name = "slab",
             .description =
@@ -148,10 +149,7 @@ TruthEntry slab_entry() {
             .parameters = slab_parameters(),
             .fields = slab_fields(),
             .examples = depths(),
-            .build = [](const Given& given) {
-                const SlabConditions conditions = conditions_of(given);
-                return as_truth(Slab(conditions), conditions);
-            }};
+            .build = [](const Given& given) { return truth_of(Slab(conditions_of(given))); }};
 }
 
 TruthEntry slab_shooting_entry() {
