@@ -101,7 +101,7 @@ void Truth::require_finite(const Eigen::MatrixXd& values, std::span<const Eigen:
     for (Eigen::Index k = 0; k < values.rows(); ++k)
         for (Eigen::Index field = 0; field < values.cols(); ++field)
             if (!std::isfinite(values(k, field)))
-                throw std::runtime_error(fmt::format(
+                throw NumericalFailure(fmt::format(
                     "{} = {} at point {}, time = {} s", fields_[static_cast<size_t>(field)].name,
                     values(k, field), place(points[static_cast<size_t>(k)]), t));
 }

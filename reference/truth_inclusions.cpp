@@ -4,6 +4,7 @@
 #include "reference/truth_entries.hpp"
 #include "reference/truth_fields.hpp"
 #include "reference/truth_materials.hpp"
+#include "reference/truth_of.hpp"
 
 namespace crawford::reference {
 
@@ -56,13 +57,7 @@ Truth circular_truth(const Given& given) {
 }
 
 Truth faded_truth(const Given& given) {
-    const FadedInclusion disc(inclusion(given), given.number("whole"), given.number("gone"));
-    return pointwise(faded_fields(), {}, [disc](const Eigen::Vector2d& at, double) {
-        return Row()
-            .add(disc.displacement(at.x(), at.y()))
-            .add(disc.stress(at.x(), at.y()))
-            .add(disc.body_force(at.x(), at.y()));
-    });
+    return truth_of(FadedInclusion(inclusion(given), given.number("whole"), given.number("gone")));
 }
 
 Truth conducting_truth(const Given& given) {
@@ -81,6 +76,15 @@ Truth conducting_truth(const Given& given) {
 }
 
 }  // namespace
+
+Truth truth_of(const FadedInclusion& disc) {
+    return pointwise(faded_fields(), {}, [disc](const Eigen::Vector2d& at, double) {
+        return Row()
+            .add(disc.displacement(at.x(), at.y()))
+            .add(disc.stress(at.x(), at.y()))
+            .add(disc.body_force(at.x(), at.y()));
+    });
+}
 
 TruthEntry circular_inclusion_entry() {
     return {.name = "circular-inclusion",

@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <ostream>
 #include <set>
 
 #include "base/errors.hpp"
+#include "base/source_tree.hpp"
 #include "reference/elastic_laminate.hpp"
 #include "reference/manufactured_burning.hpp"
 #include "reference/slab.hpp"
@@ -176,6 +179,12 @@ INSTANTIATE_TEST_SUITE_P(Registry, EveryTruth, testing::ValuesIn(truths()), [](c
 TEST(TruthRegistry, NamesAreUnique) {
     std::set<std::string> names;
     for (const TruthEntry& entry : truths()) EXPECT_TRUE(names.insert(entry.name).second);
+}
+
+TEST(TruthRegistry, IsInTheDocumentation) {
+    std::ifstream file(source_path("docs/truths.md"));
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const TruthEntry& entry : truths()) EXPECT_THAT(page, HasSubstr("`" + entry.name + "`"));
 }
 
 TEST(TruthRegistry, NamesTheNearestOfAnUnknownTruth) {

@@ -67,7 +67,7 @@ TEST(Truth, TakesAPointThatRoundingHasPutBeyondAnEdge) {
 }
 
 TEST(Truth, NeverTellsWhatIsNotFinite) {
-    EXPECT_THAT(refusal<std::runtime_error>(1.0, 0.0, 0.0),
+    EXPECT_THAT(refusal<NumericalFailure>(1.0, 0.0, 0.0),
                 "logarithm = -inf at point (1, 0) m, time = 0 s");
 }
 
