@@ -83,7 +83,7 @@ Parameter text(std::string name, std::string standard, std::vector<std::string> 
             .choices = std::move(choices)};
 }
 
-Given::Given(const std::vector<Parameter>& known, const Parameters& given) {
+Given::Given(const std::vector<Parameter>& known, const Parameters& given) : values_(given) {
     for (const auto& [name, value] : given) {
         const Parameter& parameter = parameter_named(known, name);
         if (parameter.is_text()) {
@@ -92,7 +92,6 @@ Given::Given(const std::vector<Parameter>& known, const Parameters& given) {
             require_number(parameter, value);
         }
     }
-    values_ = given;
     for (const Parameter& parameter : known)
         if (parameter.standard) values_.try_emplace(parameter.name, *parameter.standard);
 }

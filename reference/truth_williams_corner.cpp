@@ -20,12 +20,11 @@ Truth corner_truth(const Given& given) {
     const Material a = material_of(given, "inner_");
     const Material b = material_of(given, "outer_");
     const Dundurs contrast = dundurs(a, b);
-    const Row row = Row()
-                        .add(corner_exponent(a, b))
-                        .add(contrast.alpha)
-                        .add(contrast.beta)
-                        .add(even_stress(a, b, given.number("pressure")));
-    return pointwise(corner_fields(), {}, [row](const Eigen::Vector2d&, double) { return row; });
+    const double exponent = corner_exponent(a, b);
+    const double stress = even_stress(a, b, given.number("pressure"));
+    return pointwise(corner_fields(), {}, [=](const Eigen::Vector2d&, double) {
+        return Row().add(exponent).add(contrast.alpha).add(contrast.beta).add(stress);
+    });
 }
 
 }  // namespace
