@@ -31,6 +31,7 @@ public:
     /// \throws std::invalid_argument naming the missing or out-of-range parameter.
     explicit Slab(const SlabConditions& conditions);
 
+    const SlabConditions& conditions() const { return conditions_; }
     double surface_temperature() const;                  ///< T_s [K]
     double burn_rate() const { return burn_rate_; }      ///< r_b [m/s]
     double bottom_flux() const { return bottom_flux_; }  ///< C [W/m^2], out through y = -depth

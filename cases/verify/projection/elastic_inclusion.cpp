@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cases/units.hpp"
+#include "reference/truth_of.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -55,28 +56,27 @@ void measure_inclusion(const Scene& scene, const FadedInclusion& truth, const st
     simulation.step();
     const Grid& grid = simulation.grid();
     const State& state = simulation.state();
-    std::vector<double> found, wanted;
+    std::vector<Vector> nodes, cells;
+    std::vector<double> moved, stress;
     for (int i = 0; i < grid.node_columns(); ++i)
         for (int j = 0; j <= grid.rows(); ++j) {
-            const Vector moved = state.velocity(i, j) * scene.time.step;
-            const Vector should =
-                truth.displacement(grid.x(i) - centre.x(), grid.eta(j) - centre.y());
-            for (int k = 0; k < 2; ++k) {
-                found.push_back(moved[k]);
-                wanted.push_back(should[k]);
-            }
+            nodes.emplace_back(grid.x(i) - centre.x(), grid.eta(j) - centre.y());
+            const Vector by = state.velocity(i, j) * scene.time.step;
+            moved.insert(moved.end(), by.begin(), by.end());
         }
-    std::vector<double> stress, stress_wanted;
     for (int i = 0; i < grid.cell_columns(); ++i)
         for (int j = 0; j < grid.rows(); ++j) {
+            cells.emplace_back(grid.x(i) + 0.5 * grid.dx() - centre.x(),
+                               grid.eta(j) + 0.5 * grid.height(j) - centre.y());
             const PlaneStress mean = state.stress.mean(i, j);
-            const auto should = truth.stress(grid.x(i) + 0.5 * grid.dx() - centre.x(),
-                                             grid.eta(j) + 0.5 * grid.height(j) - centre.y());
             stress.insert(stress.end(), {mean.s11, mean.s22, mean.s33, mean.s12});
-            stress_wanted.insert(stress_wanted.end(), {should.xx, should.yy, should.zz, should.xy});
         }
-    result.field("displacement" + suffix, found, wanted)
-        .field("stress" + suffix, stress, stress_wanted);
+    const auto exact = reference::truth_of(truth);
+    result
+        .field("displacement" + suffix, moved,
+               exact.values(nodes).columns({"displacement_x", "displacement_y"}))
+        .field("stress" + suffix, stress,
+               exact.values(cells).columns({"stress_xx", "stress_yy", "stress_zz", "stress_xy"}));
 }
 
 }  // namespace crawford

@@ -7,20 +7,6 @@ namespace crawford {
 
 namespace {
 
-/// Values beside their truth, each with its weight.
-struct Compared {
-    std::vector<double> found, truth, weight;
-
-    void add(double value, double exact, double size) {
-        found.push_back(value);
-        truth.push_back(exact);
-        weight.push_back(size);
-    }
-    void report(const std::string& quantity, reports::Measurement& to) const {
-        to.field(quantity, found, truth, weight);
-    }
-};
-
 double pressure(const PlaneStress& s) {
     return -(s.s11 + s.s22 + s.s33) / 3.0;
 }
@@ -46,47 +32,52 @@ ElasticStep::ElasticStep(const Scene& scene, const std::function<double(double x
     residual_ = projection.residual(stress_, displacement_, surface_, start + dt);
 }
 
-void ElasticStep::compare_displacement(const std::string& quantity, const Displacement& exact,
+void ElasticStep::compare_displacement(const std::string& quantity, const reference::Truth& exact,
                                        reports::Measurement& to, const Where& where) const {
-    Compared all;
+    std::vector<Vector> points;
+    std::vector<double> found, weight;
     for (int i = 0; i < grid_.node_columns(); ++i)
         for (int j = 0; j <= grid_.rows(); ++j) {
-            const double x = grid_.x(i);
-            const double y = surface_[size_t(i)] + grid_.eta(j);
-            if (!where(x, y)) continue;
-            const Vector truth = exact(x, y);
-            for (int c = 0; c < 2; ++c) all.add(displacement_(i, j)[c], truth[c], node_area(i, j));
+            const Vector at(grid_.x(i), surface_[size_t(i)] + grid_.eta(j));
+            if (!where(at.x(), at.y())) continue;
+            points.push_back(at);
+            const Vector& displacement = displacement_(i, j);
+            found.insert(found.end(), displacement.begin(), displacement.end());
+            weight.insert(weight.end(), 2, node_area(i, j));
         }
-    all.report(quantity, to);
+    const auto truth = exact.values(points);
+    to.field(quantity, found, truth.columns({"displacement_x", "displacement_y"}), weight);
 }
 
-void ElasticStep::compare_stress(const std::string& suffix, const Stress& exact,
+void ElasticStep::compare_stress(const std::string& suffix, const reference::Truth& exact,
                                  reports::Measurement& to, const Where& where) const {
-    Compared all, s11, s22, s33, s12, p;
+    std::vector<Vector> points;
+    std::vector<double> all, s11, s22, s33, s12, p, area, all_areas;
     for (int i = 0; i < grid_.cell_columns(); ++i)
         for (int j = 0; j < grid_.rows(); ++j) {
-            const double x = grid_.x(i) + 0.5 * grid_.dx();
             const double phi = 0.5 * (surface_[size_t(i)] + surface_[size_t(grid_.right_node(i))]);
-            const double y = phi + 0.5 * (grid_.eta(j) + grid_.eta(j + 1));
-            if (!where(x, y)) continue;
-            const double area = grid_.dx() * grid_.height(j);
-            const PlaneStress truth = exact(x, y);
+            const Vector at(grid_.x(i) + 0.5 * grid_.dx(),
+                            phi + 0.5 * (grid_.eta(j) + grid_.eta(j + 1)));
+            if (!where(at.x(), at.y())) continue;
+            points.push_back(at);
             const PlaneStress found = stress_.mean(i, j);
-            s11.add(found.s11, truth.s11, area);
-            s22.add(found.s22, truth.s22, area);
-            s33.add(found.s33, truth.s33, area);
-            s12.add(found.s12, truth.s12, area);
-            p.add(pressure(found), pressure(truth), area);
-            for (const auto component :
-                 {&PlaneStress::s11, &PlaneStress::s22, &PlaneStress::s33, &PlaneStress::s12})
-                all.add(found.*component, truth.*component, area);
+            s11.push_back(found.s11);
+            s22.push_back(found.s22);
+            s33.push_back(found.s33);
+            s12.push_back(found.s12);
+            p.push_back(pressure(found));
+            all.insert(all.end(), {found.s11, found.s22, found.s33, found.s12});
+            area.push_back(grid_.dx() * grid_.height(j));
+            all_areas.insert(all_areas.end(), 4, area.back());
         }
-    all.report("stress" + suffix, to);
-    s11.report("sigma_11" + suffix, to);
-    s22.report("sigma_22" + suffix, to);
-    s33.report("sigma_33" + suffix, to);
-    s12.report("sigma_12" + suffix, to);
-    p.report("pressure" + suffix, to);
+    const auto truth = exact.values(points);
+    to.field("stress" + suffix, all,
+             truth.columns({"stress_xx", "stress_yy", "stress_zz", "stress_xy"}), all_areas)
+        .field("sigma_11" + suffix, s11, truth.column("stress_xx"), area)
+        .field("sigma_22" + suffix, s22, truth.column("stress_yy"), area)
+        .field("sigma_33" + suffix, s33, truth.column("stress_zz"), area)
+        .field("sigma_12" + suffix, s12, truth.column("stress_xy"), area)
+        .field("pressure" + suffix, p, truth.column("pressure"), area);
 }
 
 /// What a node stands for: half of each row of cells it is a corner of.

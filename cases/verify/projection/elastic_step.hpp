@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/truth.hpp"
 #include "reports/measurement.hpp"
 #include "solver/mesh/grid.hpp"
 #include "solver/step/sources.hpp"
@@ -20,19 +21,16 @@ public:
     ElasticStep(const Scene& scene, const std::function<double(double x)>& height,
                 const Sources& sources);
 
-    /// A place asked about: the exact solution there.
-    using Displacement = std::function<Vector(double x, double y)>;  ///< [m]
-    using Stress = std::function<PlaneStress(double x, double y)>;   ///< [Pa]
     using Where = std::function<bool(double x, double y)>;
 
     /// Errors of u and v together, at the nodes of `where`, weighted by area.
-    void compare_displacement(const std::string& quantity, const Displacement& exact,
+    void compare_displacement(const std::string& quantity, const reference::Truth& exact,
                               reports::Measurement& to, const Where& where = everywhere) const;
 
     /// Errors of each component and of the pressure at the cell centres of `where`, one quantity
     /// each: "sigma_11" + suffix, ...; "stress" + suffix for all four components together.
-    void compare_stress(const std::string& suffix, const Stress& exact, reports::Measurement& to,
-                        const Where& where = everywhere) const;
+    void compare_stress(const std::string& suffix, const reference::Truth& exact,
+                        reports::Measurement& to, const Where& where = everywhere) const;
 
     /// |div sigma + b| of the stress carried, relative to what should cancel.
     double residual() const { return residual_; }

@@ -31,6 +31,7 @@
 #include "cases/units.hpp"
 #include "cases/verify/projection/elastic_step.hpp"
 #include "reference/manufactured_elastic_strip.hpp"
+#include "reference/truth_of.hpp"
 
 namespace crawford {
 
@@ -90,16 +91,12 @@ reports::Measurement errors(const ElasticStrip& strip, Element element, int cell
         scene(strip, element, cells), [](double) { return 0.0; }, sources);
     const auto inside = [&](double x, double) { return x < 0.5 * strip.strip; };
     const auto beside = [&](double x, double) { return x >= 0.5 * strip.strip; };
-    const auto displacement = [&](double x, double y) { return truth.displacement(x, y); };
-    const auto stress = [&](double x, double y) {
-        const auto s = truth.stress(x, y);
-        return PlaneStress{s.xx, s.yy, s.zz, s.xy};
-    };
+    const reference::Truth exact = reference::truth_of(truth);
     reports::Measurement result(1.0 / cells);
-    step.compare_displacement("v in the strip", displacement, result, inside);
-    step.compare_displacement("v beside it", displacement, result, beside);
-    step.compare_stress(" in the strip", stress, result, inside);
-    step.compare_stress(" beside it", stress, result, beside);
+    step.compare_displacement("v in the strip", exact, result, inside);
+    step.compare_displacement("v beside it", exact, result, beside);
+    step.compare_stress(" in the strip", exact, result, inside);
+    step.compare_stress(" beside it", exact, result, beside);
     return result;
 }
 

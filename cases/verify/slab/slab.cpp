@@ -23,6 +23,7 @@
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
 #include "reference/slab.hpp"
+#include "reference/truth_of.hpp"
 
 namespace crawford {
 
@@ -33,7 +34,6 @@ using reference::SlabModel;
 using reports::between;
 using reports::expect;
 using reports::Norm;
-using State = reference::SlabState;
 
 constexpr double pressure = 2.0 * MPa;
 constexpr auto entering = "sigma_11 that enters - exact [Pa]";
@@ -47,30 +47,25 @@ Slab burning(const std::string& material, double flux, int cells) {
         .pressed(pressure);
 }
 
-std::vector<double> column(const std::vector<State>& states, double State::*component) {
-    std::vector<double> values;
-    for (const State& state : states) values.push_back(state.*component);
-    return values;
-}
-
 reports::Measurement measure(const Slab& slab, int cells) {
     const SlabProfile run = burn_to_steady(slab.scene());
     const reference::Slab exact(slab.conditions(SlabModel::eulerian));
     const reference::Slab small_strain(slab.conditions(SlabModel::kuznetsov_stewart));
-    const auto nodes = exact.states(run.node_y);
-    const auto centres = exact.states(run.cell_y);
+    const auto truth = reference::truth_of(exact);
+    const auto nodes = truth.values(reference::points_at(run.node_y));
+    const auto centres = truth.values(reference::points_at(run.cell_y));
+    const auto stress = centres.column("stress_xx");
     const double surface = run.temperature.back();
 
     reports::Measurement result(1.0 / cells);
-    result.field("T", run.temperature, column(nodes, &State::temperature), run.node_weight)
-        .field("v", run.velocity, column(nodes, &State::velocity), run.node_weight)
-        .field("sigma_11", above_first(run.stress_11),
-               above_first(column(centres, &State::stress_11)), run.cell_weight)
-        .field("pressure", above_first(run.pressure),
-               above_first(column(centres, &State::pressure)), run.cell_weight)
-        .field("F_22", run.deformation_gradient_22,
-               column(centres, &State::deformation_gradient_22), run.cell_weight)
-        .value(entering, run.stress_11.front() - centres.front().stress_11)
+    result.field("T", run.temperature, nodes.column("temperature"), run.node_weight)
+        .field("v", run.velocity, nodes.column("velocity_y"), run.node_weight)
+        .field("sigma_11", above_first(run.stress_11), above_first(stress), run.cell_weight)
+        .field("pressure", above_first(run.pressure), above_first(centres.column("pressure")),
+               run.cell_weight)
+        .field("F_22", run.deformation_gradient_22, centres.column("deformation_gradient_yy"),
+               run.cell_weight)
+        .value(entering, run.stress_11.front() - stress.front())
         .value(error, surface - exact.surface_temperature())
         .value(distance, surface - small_strain.surface_temperature());
     return result;

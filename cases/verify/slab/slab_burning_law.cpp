@@ -27,6 +27,7 @@
 #include "cases/units.hpp"
 #include "reference/slab.hpp"
 #include "reference/slab_shooting.hpp"
+#include "reference/truth_of.hpp"
 
 namespace crawford {
 
@@ -54,16 +55,11 @@ reports::Measurement measure(const Slab& slab, int cells) {
     const reference::Slab exact(conditions);
     conditions.depth = std::numeric_limits<double>::infinity();
     const reference::SlabShooting shot(conditions);
-    std::vector<double> temperature;
-    std::vector<double> velocity;
-    for (const auto& state : exact.states(run.node_y)) {
-        temperature.push_back(state.temperature);
-        velocity.push_back(state.velocity);
-    }
+    const auto nodes = reference::truth_of(exact).values(reference::points_at(run.node_y));
     const double surface = run.temperature.back();
     return reports::Measurement(1.0 / cells)
-        .field("T", run.temperature, temperature, run.node_weight)
-        .field("v", run.velocity, velocity, run.node_weight)
+        .field("T", run.temperature, nodes.column("temperature"), run.node_weight)
+        .field("v", run.velocity, nodes.column("velocity_y"), run.node_weight)
         .value(temperature_error, surface - exact.surface_temperature())
         .value(rate_error, run.burn_rate / exact.burn_rate() - 1.0)
         .value(truths_apart, exact.surface_temperature() - shot.surface_temperature());
