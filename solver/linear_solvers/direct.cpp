@@ -1,11 +1,11 @@
-#include "solver/linear_solvers/direct.hpp"
-
+/// Direct solvers: the pattern is analysed once, the numbers are factorised at every solve.
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
 #include <mutex>
 
 #include "base/errors.hpp"
 #include "solver/linear_solvers/one_thread.hpp"
+#include "solver/linear_solvers/spd_solver.hpp"
 
 namespace crawford {
 
@@ -55,11 +55,11 @@ using Ldlt = Direct<Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>>;
 
 }  // namespace
 
-std::unique_ptr<SpdSolver> make_cholmod() {
+std::unique_ptr<SpdSolver> make_cholmod(double) {
     return std::make_unique<Cholmod>();
 }
 
-std::unique_ptr<SpdSolver> make_ldlt() {
+std::unique_ptr<SpdSolver> make_ldlt(double) {
     return std::make_unique<Ldlt>();
 }
 

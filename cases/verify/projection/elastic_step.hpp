@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "reports/measurement.hpp"
+#include "solver/element/stress_field.hpp"
 #include "solver/mesh/grid.hpp"
-#include "solver/step/sources.hpp"
-#include "solver/stress/stress_field.hpp"
+#include "solver/projection/projection_sources.hpp"
+#include "solver/scene/scene.hpp"
 
 namespace crawford {
 
@@ -18,7 +19,7 @@ class ElasticStep {
 public:
     /// Solves at once. \param height phi(x) [m] of the surface
     ElasticStep(const Scene& scene, const std::function<double(double x)>& height,
-                const Sources& sources);
+                const ProjectionSources& sources);
 
     /// A place asked about: the exact solution there.
     using Displacement = std::function<Vector(double x, double y)>;  ///< [m]
