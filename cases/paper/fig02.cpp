@@ -19,7 +19,7 @@
 #include "cases/registry.hpp"
 #include "cases/scenes/sandwich.hpp"
 #include "cases/units.hpp"
-#include "solver/projection/element.hpp"
+#include "solver/element/element.hpp"
 #include "solver/projection/fixed_pattern.hpp"
 #include "solver/projection/support.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/measurement.hpp"
-#include "solver/stress/stress_field.hpp"
+#include "solver/element/stress_field.hpp"
 
 namespace crawford {
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "solver/projection/checkerboard.hpp"
+#include "solver/element/checkerboard.hpp"
 #include "solver/stress/stress_step.hpp"
 
 namespace crawford {
@@ -35,7 +35,7 @@ public:
     const StressStep& stress_step() const { return stress_step_; }
     const SurfaceField& surface() const { return surface_; }
     const NodeVectors& velocity() const { return velocity_; }
-    HeatMotion motion() const { return {surface_, surface_rate_, velocity_, no_temperature_rate_}; }
+    SolidMotion motion() const { return {surface_, surface_rate_, velocity_}; }
     double shear_modulus() const { return materials_.shear_modulus(0, 0); }  ///< [Pa]
 
     Vector node(int i, int j) const;  ///< its place [m]
@@ -56,7 +56,6 @@ private:
     StressStep stress_step_;
     SurfaceField surface_, surface_rate_;
     NodeVectors velocity_;
-    CellField no_temperature_rate_;
 };
 
 }  // namespace crawford

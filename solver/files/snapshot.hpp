@@ -3,10 +3,10 @@
 
 #include <array>
 
+#include "solver/element/stress_field.hpp"
 #include "solver/mesh/grid.hpp"
 #include "solver/mesh/lattice.hpp"
 #include "solver/step/state.hpp"
-#include "solver/stress/stress_field.hpp"
 
 namespace crawford {
 

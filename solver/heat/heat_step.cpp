@@ -28,7 +28,7 @@ void check(const NodeField& temperature) {
 }  // namespace
 
 HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                   const BurningLaw& law, const Sources& sources)
+                   const BurningLaw& law, const HeatSources& sources)
     : grid_(grid),
       materials_(materials),
       law_(law),
@@ -186,7 +186,7 @@ void HeatStep::add_flux_source(const SurfaceField& surface, double time) {
 }
 
 void material_rate(const Grid& grid, const NodeField& before, const NodeField& after,
-                   const HeatMotion& motion, double dt, CellField& rate) {
+                   const SolidMotion& motion, double dt, CellField& rate) {
     for (int i = 0; i < grid.cell_columns(); ++i)
         for (int j = 0; j < grid.rows(); ++j) {
             const Cell cell(grid, motion.surface, i, j);

@@ -9,17 +9,15 @@
 #pragma once
 
 #include "solver/burning/burn_rate.hpp"
+#include "solver/heat/heat_sources.hpp"
 #include "solver/mesh/node_stencil.hpp"
-#include "solver/step/sources.hpp"
-#include "solver/step/time_step.hpp"
+#include "solver/mesh/solid_motion.hpp"
+#include "solver/time_integration/time_step.hpp"
 
 namespace crawford {
 
 /// What the solid does while the heat moves; taken from the last step.
-struct HeatMotion {
-    const SurfaceField& surface;       ///< phi [m]
-    const SurfaceField& surface_rate;  ///< phi_t [m/s]
-    const NodeVectors& velocity;       ///< v [m/s]; empty for a rigid solid
+struct HeatMotion : SolidMotion {
     /// DT/Dt [K/s] of the last step; empty unless the stress work is split.
     const CellField& temperature_rate;
 };
@@ -27,7 +25,7 @@ struct HeatMotion {
 class HeatStep {
 public:
     HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-             const BurningLaw& law, const Sources& sources = {});
+             const BurningLaw& law, const HeatSources& sources = {});
 
     /// Advances T [K] over the span of a step; the bottom row is held.
     /// \param lagged the temperature where the coefficients of the step are taken
@@ -57,8 +55,8 @@ private:
     const Grid& grid_;
     const MaterialMap& materials_;
     const BurningLaw& law_;
-    Sources::Function<double> source_;
-    Sources::Function<double> flux_source_;
+    SpaceTimeFunction<double> source_;
+    SpaceTimeFunction<double> flux_source_;
     Numerics numerics_;
     bool deforms_;
     NodeStencil transport_;  ///< diffusion and convection, [W/K] per unit thickness
@@ -68,12 +66,6 @@ private:
 
 /// Material rate DT/Dt [K/s] of each cell, between two temperatures dt apart, on the moving grid.
 void material_rate(const Grid& grid, const NodeField& before, const NodeField& after,
-                   const HeatMotion& motion, double dt, CellField& rate);
-
-/// Velocity of the solid relative to the grid [m/s]: (u, v - phi_t).
-inline Vector relative_velocity(const HeatMotion& motion, const Node& node) {
-    const Vector v = motion.velocity.empty() ? Vector::Zero() : motion.velocity(node.i, node.j);
-    return {v.x(), v.y() - motion.surface_rate[size_t(node.i)]};
-}
+                   const SolidMotion& motion, double dt, CellField& rate);
 
 }  // namespace crawford

@@ -1,5 +1,4 @@
-#include "solver/linear_solvers/direct.hpp"
-
+/// Direct solvers: the pattern is analysed once, the numbers are factorised at every solve.
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
 #include <mutex>
@@ -9,6 +8,7 @@
 #include "base/errors.hpp"
 #include "solver/linear_solvers/one_thread.hpp"
 #include "solver/linear_solvers/permuted_matrix.hpp"
+#include "solver/linear_solvers/spd_solver.hpp"
 
 namespace crawford {
 
@@ -94,11 +94,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<SpdSolver> make_cholmod() {
+std::unique_ptr<SpdSolver> make_cholmod(double) {
     return std::make_unique<Cholmod>();
 }
 
-std::unique_ptr<SpdSolver> make_ldlt() {
+std::unique_ptr<SpdSolver> make_ldlt(double) {
     return std::make_unique<Ldlt>();
 }
 

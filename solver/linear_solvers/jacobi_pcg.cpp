@@ -1,10 +1,11 @@
-#include "solver/linear_solvers/jacobi_pcg.hpp"
-
+/// Conjugate gradients with Jacobi's preconditioner on a symmetric stencil, as the paper solves
+/// (section 3.3.1).
 #include <fmt/format.h>
 
 #include <Eigen/IterativeLinearSolvers>
 
 #include "base/errors.hpp"
+#include "solver/linear_solvers/spd_solver.hpp"
 
 namespace crawford {
 

@@ -5,7 +5,7 @@
 #include <Eigen/SparseCore>
 #include <memory>
 
-#include "solver/scene/scene.hpp"
+#include "solver/linear_solvers/linear_solver.hpp"
 
 namespace crawford {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/scene/scene.hpp"
+#include "solver/packing/discs.hpp"
 
 namespace crawford {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "solver/element/checkerboard.hpp"
 #include "solver/linear_solvers/spd_solver.hpp"
 #include "solver/mesh/cell.hpp"
-#include "solver/projection/checkerboard.hpp"
 
 namespace crawford {
 

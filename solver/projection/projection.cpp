@@ -26,7 +26,7 @@ double default_viscous_time(const Scene& scene) {
 }  // namespace
 
 Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                       const Checkerboard& checkerboard, const Sources& sources)
+                       const Checkerboard& checkerboard, const ProjectionSources& sources)
     : grid_(grid),
       materials_(materials),
       checkerboard_(checkerboard),

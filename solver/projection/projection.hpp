@@ -8,19 +8,19 @@
 
 #include <memory>
 
+#include "solver/element/element.hpp"
+#include "solver/element/stress_field.hpp"
 #include "solver/linear_solvers/spd_solver.hpp"
 #include "solver/materials/material_map.hpp"
-#include "solver/projection/element.hpp"
 #include "solver/projection/fixed_pattern.hpp"
-#include "solver/step/sources.hpp"
-#include "solver/stress/stress_field.hpp"
+#include "solver/projection/projection_sources.hpp"
 
 namespace crawford {
 
 class Projection {
 public:
     Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-               const Checkerboard& checkerboard, const Sources& sources = {});
+               const Checkerboard& checkerboard, const ProjectionSources& sources = {});
 
     /// Finds the velocity [m/s] at the end of a step of length dt that ends at `time`.
     /// \param stress sigma*, everything of the step but C:D(v); its pressure leaves without
@@ -68,8 +68,8 @@ private:
     const Grid& grid_;
     const MaterialMap& materials_;
     const Checkerboard& checkerboard_;
-    Sources::Function<Vector> body_force_;
-    Sources::Function<Vector> traction_;
+    SpaceTimeFunction<Vector> body_force_;
+    SpaceTimeFunction<Vector> traction_;
     Element element_;
     Surface load_;
     LinearSolver solver_kind_;

@@ -47,7 +47,7 @@ double node_slope(const Grid& grid, const SurfaceField& surface, int i) {
 
 }  // namespace
 
-void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt,
+void advance_reference_map(const Grid& grid, const SolidMotion& motion, double dt,
                            const NodeVectors& carried, NodeVectors& shift) {
     NodeVectors next = shift;
     for (int i = 0; i < grid.node_columns(); ++i) {

@@ -5,17 +5,17 @@
 /// stream and at the bottom, where material enters unshifted.
 #pragma once
 
-#include "solver/heat/heat_step.hpp"
+#include "solver/mesh/solid_motion.hpp"
 
 namespace crawford {
 
 /// Advances the shift [m] over dt with second-order ENO differences of `carried`; the bottom row is
 /// held.
-void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt,
+void advance_reference_map(const Grid& grid, const SolidMotion& motion, double dt,
                            const NodeVectors& carried, NodeVectors& shift);
 
 /// Forward Euler: what is carried is the shift itself.
-inline void advance_reference_map(const Grid& grid, const HeatMotion& motion, double dt,
+inline void advance_reference_map(const Grid& grid, const SolidMotion& motion, double dt,
                                   NodeVectors& shift) {
     advance_reference_map(grid, motion, dt, shift, shift);
 }

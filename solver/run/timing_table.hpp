@@ -8,8 +8,8 @@
 
 namespace crawford {
 
-/// A table of seconds, share and milliseconds a step for each room; what `seconds`, the whole,
+/// A table of seconds, share and milliseconds a step for each module; what `seconds`, the whole,
 /// leaves over is output and bookkeeping.
-std::string timing_table(const std::vector<RoomTime>& rooms, double seconds, long steps);
+std::string timing_table(const std::vector<ModuleTime>& modules, double seconds, long steps);
 
 }  // namespace crawford

@@ -1,7 +1,10 @@
 /// The thermal, mechanical and burning properties of one propellant constituent.
 #pragma once
 
+#include <array>
 #include <string>
+
+#include "solver/scene/limits.hpp"
 
 namespace crawford {
 
@@ -20,6 +23,26 @@ struct Material {
     /// Lamé's first parameter lambda = K - 2 mu/3 [Pa] (paper eq. 1).
     double lame() const { return bulk_modulus - 2.0 / 3.0 * shear_modulus; }
 };
+
+/// A property as a scene gives it: its key, where it is kept, its unit and limits.
+struct MaterialProperty {
+    const char* name;
+    double Material::*member;
+    Limits limits;
+};
+
+/// All of them, in the order in which they are written.
+inline constexpr std::array material_properties{
+    MaterialProperty{
+        "thermal_conductivity", &Material::thermal_conductivity, {"W/(m K)", 1e-6, 1e6}},
+    MaterialProperty{"specific_heat", &Material::specific_heat, {"J/(kg K)", 1e-3, 1e6}},
+    MaterialProperty{"density", &Material::density, {"kg/m3", 1e-3, 1e6}},
+    MaterialProperty{"bulk_modulus", &Material::bulk_modulus, {"Pa", 1.0, 1e16}},
+    MaterialProperty{"shear_modulus", &Material::shear_modulus, {"Pa", 1.0, 1e16}},
+    MaterialProperty{"thermal_expansion", &Material::thermal_expansion, {"1/K", 0.0, 0.1}},
+    MaterialProperty{"pyrolysis_prefactor", &Material::pyrolysis_prefactor, {"m/s", 1e-9, 1e12}},
+    MaterialProperty{"activation_temperature", &Material::activation_temperature, {"K", 0.0, 1e6}},
+    MaterialProperty{"heat_of_reaction", &Material::heat_of_reaction, {"J/kg", -1e8, 1e8}}};
 
 /// Ammonium perchlorate, as in Table 1 of the paper; material.cpp says where each number comes
 /// from.

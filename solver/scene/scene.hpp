@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "solver/linear_solvers/linear_solver.hpp"
+#include "solver/packing/discs.hpp"
 #include "solver/scene/material.hpp"
 
 namespace crawford {
@@ -24,16 +26,6 @@ struct Uniform {};  ///< one material everywhere
 
 struct Sandwich {  ///< a strip of the second material about x = 0
     double strip;  ///< width of the strip [m]
-};
-
-struct Disc {
-    double x, y, radius;  ///< [m]
-};
-
-struct Discs {                ///< discs of the first material in a matrix of the second
-    std::vector<Disc> discs;  ///< periodic in x with the domain's width
-    double period;            ///< periodic in y with this [m]; the burning surface starts at y = 0
-    std::string source = "";  ///< where they come from, for the manifest
 };
 
 using Shape = std::variant<Uniform, Sandwich, Discs>;
@@ -102,12 +94,6 @@ struct Time {
 enum class Element {
     bbar,  ///< mean dilatation, stress carried at the integration points: an exact projection
     q1     ///< the paper's: exact integration, stress at the centre, an approximate projection
-};
-
-enum class LinearSolver {
-    cholmod,  ///< supernodal Cholesky, factorised anew each step on a fixed pattern
-    ldlt,     ///< Eigen's simplicial LDLT
-    pcg       ///< Jacobi-preconditioned conjugate gradients, the paper's
 };
 
 enum class Coupling {

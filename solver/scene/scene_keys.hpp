@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "solver/scene/limits.hpp"
 #include "solver/scene/scene.hpp"
@@ -17,17 +18,18 @@ inline constexpr Limits length{"m", 1e-9, 1.0};
 inline constexpr Limits duration{"s", 1e-12, 1e3};
 inline constexpr Limits heat_flux{"W/m2", 0.0, 1e10};
 
+/// The linear solvers by the names of their table.
+inline constexpr auto solver_words = [] {
+    std::array<Word<LinearSolver>, linear_solvers.size()> words{};
+    for (std::size_t k = 0; k < words.size(); ++k)
+        words[k] = {linear_solvers[k].name, linear_solvers[k].kind};
+    return words;
+}();
+
 template <class Table>
-void visit(Table& table, Material& m, Need need) {
-    table.quantity("thermal_conductivity", m.thermal_conductivity, {"W/(m K)", 1e-6, 1e6}, need);
-    table.quantity("specific_heat", m.specific_heat, {"J/(kg K)", 1e-3, 1e6}, need);
-    table.quantity("density", m.density, {"kg/m3", 1e-3, 1e6}, need);
-    table.quantity("bulk_modulus", m.bulk_modulus, {"Pa", 1.0, 1e16}, need);
-    table.quantity("shear_modulus", m.shear_modulus, {"Pa", 1.0, 1e16}, need);
-    table.quantity("thermal_expansion", m.thermal_expansion, {"1/K", 0.0, 0.1}, need);
-    table.quantity("pyrolysis_prefactor", m.pyrolysis_prefactor, {"m/s", 1e-9, 1e12}, need);
-    table.quantity("activation_temperature", m.activation_temperature, {"K", 0.0, 1e6}, need);
-    table.quantity("heat_of_reaction", m.heat_of_reaction, {"J/kg", -1e8, 1e8}, need);
+void visit(Table& table, Material& material, Need need) {
+    for (const MaterialProperty& property : material_properties)
+        table.quantity(property.name, material.*property.member, property.limits, need);
 }
 
 template <class Table>
@@ -98,9 +100,6 @@ template <class Table>
 void visit(Table& table, Numerics& n) {
     static constexpr std::array elements{Word<Element>{"bbar", Element::bbar},
                                          Word<Element>{"q1", Element::q1}};
-    static constexpr std::array solvers{Word<LinearSolver>{"cholmod", LinearSolver::cholmod},
-                                        Word<LinearSolver>{"ldlt", LinearSolver::ldlt},
-                                        Word<LinearSolver>{"pcg", LinearSolver::pcg}};
     static constexpr std::array couplings{Word<Coupling>{"lagged", Coupling::lagged},
                                           Word<Coupling>{"adiabatic", Coupling::adiabatic}};
     static constexpr std::array capacities{
@@ -118,7 +117,7 @@ void visit(Table& table, Numerics& n) {
     static constexpr std::array moduli{Word<CutModuli>{"arithmetic", CutModuli::arithmetic},
                                        Word<CutModuli>{"harmonic", CutModuli::harmonic}};
     table.choice("element", n.element, elements);
-    table.choice("solver", n.solver, solvers);
+    table.choice("solver", n.solver, solver_words);
     table.number("solver_tolerance", n.solver_tolerance, {"", 1e-15, 1e-2});
     table.number("heat_tolerance", n.heat_tolerance, {"", 1e-15, 1e-2});
     table.choice("coupling", n.coupling, couplings);

@@ -34,12 +34,12 @@ State cold_and_at_rest(const Scene& scene, const Grid& grid) {
     return state;
 }
 
-void check_finite(const NodeVectors& field, const char* room, const char* name) {
+void check_finite(const NodeVectors& field, const char* module, const char* name) {
     for (int i = 0; i < field.columns(); ++i)
         for (int j = 0; j < field.rows(); ++j)
             if (!field(i, j).allFinite())
                 throw NumericalFailure(
-                    fmt::format("{}: {} is not a number at node ({}, {})", room, name, i, j));
+                    fmt::format("{}: {} is not a number at node ({}, {})", module, name, i, j));
 }
 
 void check_finite(const StressField& stress) {
@@ -64,7 +64,7 @@ bool same_shape(const State& a, const State& b) {
 
 }  // namespace
 
-struct Simulation::Rooms {
+struct Simulation::Modules {
     Scene scene;
     Sources sources;
     Grid grid;
@@ -79,7 +79,7 @@ struct Simulation::Rooms {
     int solver_iterations = 0;
     CellField shear_modulus_before;  ///< of the last step, where the morphology moves
 
-    Rooms(Scene s, Sources given)
+    Modules(Scene s, Sources given)
         : scene(std::move(s)),
           sources(std::move(given)),
           grid(scene.domain),
@@ -132,7 +132,7 @@ struct Simulation::Rooms {
 
     void move_heat(State& next, const State& now, const TimeStep& step) {
         const SurfaceField rate = surface_rate_of(now.surface, now.temperature, now.velocity);
-        const HeatMotion motion{now.surface, rate, now.velocity, now.temperature_rate};
+        const HeatMotion motion{{now.surface, rate, now.velocity}, now.temperature_rate};
         stopwatch.measure("heat", [&] {
             const NodeField base = next.temperature;
             heat->advance(next.temperature, now.temperature, motion, step);
@@ -158,7 +158,7 @@ struct Simulation::Rooms {
     void move_solid(State& next, const State& now, const SurfaceField& base, const TimeStep& step) {
         SurfaceField rate(base.size());
         for (size_t i = 0; i < rate.size(); ++i) rate[i] = (next.surface[i] - base[i]) / step.span;
-        const HeatMotion old_motion{now.surface, rate, now.velocity, now.temperature_rate};
+        const SolidMotion old_motion{now.surface, rate, now.velocity};
 
         stopwatch.measure("stress", [&] {
             stress->predict(next.stress, now.stress, old_motion, next.temperature_rate, step);
@@ -184,7 +184,7 @@ struct Simulation::Rooms {
                   const NodeVectors& velocity, const TimeStep& step) {
         if (next.reference_shift.empty()) return;
         stopwatch.measure("reference map", [&] {
-            const HeatMotion motion{now.surface, rate, velocity, next.temperature_rate};
+            const SolidMotion motion{now.surface, rate, velocity};
             advance_reference_map(grid, motion, step.span, now.reference_shift,
                                   next.reference_shift);
             check_finite(next.reference_shift, "reference map", "the map");
@@ -209,77 +209,77 @@ struct Simulation::Rooms {
 };
 
 Simulation::Simulation(Scene scene, Sources sources)
-    : rooms_(std::make_unique<Rooms>(std::move(scene), std::move(sources))) {}
+    : modules_(std::make_unique<Modules>(std::move(scene), std::move(sources))) {}
 
 Simulation::~Simulation() = default;
 
 void Simulation::step() {
     State next;
     try {
-        next = rooms_->advanced(rooms_->state);
+        next = modules_->advanced(modules_->state);
     } catch (const NumericalFailure& failure) {
-        rooms_->materials.follow(rooms_->state.surface, rooms_->state.reference_shift);
-        throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", rooms_->state.step + 1,
-                                           rooms_->state.time + rooms_->scene.time.step,
+        modules_->materials.follow(modules_->state.surface, modules_->state.reference_shift);
+        throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", modules_->state.step + 1,
+                                           modules_->state.time + modules_->scene.time.step,
                                            failure.what()));
     }
-    if (!rooms_->stress && rooms_->materials.moves()) rooms_->materials.follow(next.surface);
-    next.previous = rooms_->remembered(std::move(rooms_->state));
-    rooms_->state = std::move(next);
+    if (!modules_->stress && modules_->materials.moves()) modules_->materials.follow(next.surface);
+    next.previous = modules_->remembered(std::move(modules_->state));
+    modules_->state = std::move(next);
 }
 
 void Simulation::restore(State state) {
-    const bool looks_back = rooms_->scene.time.scheme == Stepping::bdf2;
-    const bool fits = same_shape(state, rooms_->state) &&
+    const bool looks_back = modules_->scene.time.scheme == Stepping::bdf2;
+    const bool fits = same_shape(state, modules_->state) &&
                       (!state.previous || (looks_back && same_shape(*state.previous, state)));
     if (!fits) throw InputError("checkpoint: its fields are not those of the scene");
-    rooms_->materials.follow(state.surface, state.reference_shift);
-    rooms_->state = std::move(state);
+    modules_->materials.follow(state.surface, state.reference_shift);
+    modules_->state = std::move(state);
 }
 
 void Simulation::forget_factorisation() {
-    if (rooms_->projection) rooms_->projection->forget();
+    if (modules_->projection) modules_->projection->forget();
 }
 
 const Scene& Simulation::scene() const {
-    return rooms_->scene;
+    return modules_->scene;
 }
 const Grid& Simulation::grid() const {
-    return rooms_->grid;
+    return modules_->grid;
 }
 const State& Simulation::state() const {
-    return rooms_->state;
+    return modules_->state;
 }
-std::vector<RoomTime> Simulation::timing() const {
-    return rooms_->stopwatch.rooms();
+std::vector<ModuleTime> Simulation::timing() const {
+    return modules_->stopwatch.modules();
 }
 
 Summary Simulation::summary() const {
-    const State& s = rooms_->state;
+    const State& s = modules_->state;
     Summary summary;
-    summary.mean_burn_rate = mean_burn_rate(rooms_->grid, s.surface, burn_rate());
+    summary.mean_burn_rate = mean_burn_rate(modules_->grid, s.surface, burn_rate());
     if (!s.temperature.empty())
         summary.largest_temperature = *std::ranges::max_element(s.temperature.values());
     if (!s.reference_shift.empty())
         summary.largest_strain = *std::ranges::max_element(strain_norm().values());
-    if (rooms_->projection)
-        summary.residual = rooms_->projection->residual(s.stress, s.velocity, s.surface, s.time);
-    summary.solver_iterations = rooms_->solver_iterations;
+    if (modules_->projection)
+        summary.residual = modules_->projection->residual(s.stress, s.velocity, s.surface, s.time);
+    summary.solver_iterations = modules_->solver_iterations;
     return summary;
 }
 
 CellField Simulation::material_fraction() const {
-    return rooms_->materials.fraction();
+    return modules_->materials.fraction();
 }
 
 NodeField Simulation::material_indicator() const {
-    const Grid& grid = rooms_->grid;
+    const Grid& grid = modules_->grid;
     NodeField sum(grid.node_columns(), grid.rows() + 1);
     NodeField cells(grid.node_columns(), grid.rows() + 1);
     for (int i = 0; i < grid.cell_columns(); ++i)
         for (int j = 0; j < grid.rows(); ++j)
             for (const Node& node : corners(grid, i, j)) {
-                sum(node.i, node.j) += 2.0 * rooms_->materials.fraction()(i, j) - 1.0;
+                sum(node.i, node.j) += 2.0 * modules_->materials.fraction()(i, j) - 1.0;
                 cells(node.i, node.j) += 1.0;
             }
     for (size_t k = 0; k < sum.values().size(); ++k) sum.values()[k] /= cells.values()[k];
@@ -287,13 +287,14 @@ NodeField Simulation::material_indicator() const {
 }
 
 SurfaceField Simulation::burn_rate() const {
-    return rooms_->law.burn_rate(rooms_->grid, rooms_->materials, rooms_->state.temperature);
+    return modules_->law.burn_rate(modules_->grid, modules_->materials,
+                                   modules_->state.temperature);
 }
 
 Lattice<Eigen::Matrix2d> Simulation::deformation_gradient() const {
-    const State& s = rooms_->state;
+    const State& s = modules_->state;
     if (s.reference_shift.empty()) return {};
-    return crawford::deformation_gradient(rooms_->grid, s.surface, s.reference_shift);
+    return crawford::deformation_gradient(modules_->grid, s.surface, s.reference_shift);
 }
 
 Lattice<std::array<double, 3>> Simulation::strain() const {
@@ -309,7 +310,7 @@ Lattice<std::array<double, 3>> Simulation::strain() const {
 CellField Simulation::strain_norm() const {
     const auto e = strain();
     CellField result(e.columns(), e.rows());
-    const bool frobenius = rooms_->scene.numerics.strain_norm == StrainNorm::frobenius;
+    const bool frobenius = modules_->scene.numerics.strain_norm == StrainNorm::frobenius;
     for (size_t k = 0; k < e.values().size(); ++k) {
         const auto& [e11, e22, e12] = e.values()[k];
         result.values()[k] = frobenius ? std::sqrt(e11 * e11 + e22 * e22 + 2.0 * e12 * e12)

@@ -34,8 +34,8 @@ public:
     Simulation& operator=(const Simulation&) = delete;
 
     /// Advances the state by one step.
-    /// \throws NumericalFailure naming the step, the room and the place; state() is then still the
-    /// last good one.
+    /// \throws NumericalFailure naming the step, the module and the place; state() is then still
+    /// the last good one.
     void step();
 
     /// Goes on from a checkpoint, bit for bit as if never stopped.
@@ -50,7 +50,7 @@ public:
     const Grid& grid() const;
     const State& state() const;
     Summary summary() const;
-    std::vector<RoomTime> timing() const;
+    std::vector<ModuleTime> timing() const;
 
     // What follows from the state, computed when asked.
     CellField material_fraction() const;   ///< of the first material in each cell, 0 to 1
@@ -63,8 +63,8 @@ public:
     CellField strain_norm() const;
 
 private:
-    struct Rooms;
-    std::unique_ptr<Rooms> rooms_;
+    struct Modules;
+    std::unique_ptr<Modules> modules_;
 };
 
 }  // namespace crawford

@@ -4,8 +4,8 @@
 
 #include <memory>
 
+#include "solver/element/stress_field.hpp"
 #include "solver/mesh/lattice.hpp"
-#include "solver/stress/stress_field.hpp"
 
 namespace crawford {
 

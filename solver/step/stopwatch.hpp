@@ -1,4 +1,4 @@
-/// Seconds spent in each room of a step.
+/// Seconds spent in each module of a step.
 #pragma once
 
 #include <chrono>
@@ -7,21 +7,21 @@
 
 namespace crawford {
 
-struct RoomTime {
-    std::string room;
+struct ModuleTime {
+    std::string module;
     double seconds;
 };
 
 class Stopwatch {
 public:
-    /// Runs `work` and books its time under `room`.
+    /// Runs `work` and books its time under `module`.
     template <class Work>
-    auto measure(const std::string& room, const Work& work) {
-        const Booking booking(entry(room));
+    auto measure(const std::string& module, const Work& work) {
+        const Booking booking(entry(module));
         return work();
     }
 
-    const std::vector<RoomTime>& rooms() const { return rooms_; }
+    const std::vector<ModuleTime>& modules() const { return modules_; }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -36,13 +36,13 @@ private:
         Clock::time_point start;
     };
 
-    double& entry(const std::string& room) {
-        for (RoomTime& known : rooms_)
-            if (known.room == room) return known.seconds;
-        return rooms_.emplace_back(RoomTime{room, 0.0}).seconds;
+    double& entry(const std::string& module) {
+        for (ModuleTime& known : modules_)
+            if (known.module == module) return known.seconds;
+        return modules_.emplace_back(ModuleTime{module, 0.0}).seconds;
     }
 
-    std::vector<RoomTime> rooms_;
+    std::vector<ModuleTime> modules_;
 };
 
 }  // namespace crawford

@@ -9,7 +9,7 @@
 namespace crawford {
 
 StressStep::StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-                       const Checkerboard& checkerboard, const Sources& sources)
+                       const Checkerboard& checkerboard, const StressSources& sources)
     : grid_(grid),
       materials_(materials),
       checkerboard_(checkerboard),
@@ -18,7 +18,7 @@ StressStep::StressStep(const Scene& scene, const Grid& grid, const MaterialMap& 
       element_(scene.numerics.element),
       thermal_stress_(scene.numerics.thermal_stress) {}
 
-void StressStep::predict(StressField& stress, const StressField& carried, const HeatMotion& motion,
+void StressStep::predict(StressField& stress, const StressField& carried, const SolidMotion& motion,
                          const CellField& temperature_rate, const TimeStep& step) const {
     const double dt = step.span;
     StressField next = stress;
@@ -40,7 +40,7 @@ void StressStep::predict(StressField& stress, const StressField& carried, const 
 /// Velocity across the grid in cells per second:
 /// (u/dx, vbar/(d eta/dj)), vbar = v - phi_t - u phi_x.
 Vector StressStep::grid_velocity(const Cell& cell, const std::array<Node, 4>& nodes, int j,
-                                 Local at, const HeatMotion& motion) const {
+                                 Local at, const SolidMotion& motion) const {
     std::array<Vector, 4> relative;
     for (size_t k = 0; k < 4; ++k) relative[k] = relative_velocity(motion, nodes[k]);
     const Vector w = interpolate(relative, at);
@@ -49,7 +49,7 @@ Vector StressStep::grid_velocity(const Cell& cell, const std::array<Node, 4>& no
 }
 
 Deviator StressStep::deviator_rate(const StressField& stress, int point, int i, int j,
-                                   const HeatMotion& motion, double dt) const {
+                                   const SolidMotion& motion, double dt) const {
     const Cell cell(grid_, motion.surface, i, j);
     const auto nodes = corners(grid_, i, j);
     const Local at = stress_points(element_)[size_t(point)];
@@ -73,7 +73,7 @@ Deviator StressStep::deviator_rate(const StressField& stress, int point, int i, 
 }
 
 double StressStep::pressure_rate(const StressField& stress, int i, int j,
-                                 const HeatMotion& motion) const {
+                                 const SolidMotion& motion) const {
     const Cell cell(grid_, motion.surface, i, j);
     const Vector w = grid_velocity(cell, corners(grid_, i, j), j, cell_centre, motion);
     const CellField& p = stress.pressure;

@@ -5,17 +5,19 @@
 /// the velocity that the projection found. Advection is WENO3 within one material.
 #pragma once
 
-#include "solver/heat/heat_step.hpp"
-#include "solver/projection/checkerboard.hpp"
-#include "solver/projection/element.hpp"
+#include "solver/element/checkerboard.hpp"
+#include "solver/element/element.hpp"
+#include "solver/mesh/solid_motion.hpp"
 #include "solver/stress/neighbours.hpp"
+#include "solver/stress/stress_sources.hpp"
+#include "solver/time_integration/time_step.hpp"
 
 namespace crawford {
 
 class StressStep {
 public:
     StressStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
-               const Checkerboard& checkerboard, const Sources& sources = {});
+               const Checkerboard& checkerboard, const StressSources& sources = {});
 
     /// sigma*: advection, rotation, thermal stress and source over the span of a step (paper
     /// eq. 39).
@@ -23,11 +25,11 @@ public:
     /// \param carried the stress that is carried and turned
     /// \param temperature_rate DT/Dt [K/s] of each cell; empty without heat
     /// \throws NumericalFailure naming the cell, if material crosses more than a cell in the step
-    void predict(StressField& stress, const StressField& carried, const HeatMotion& motion,
+    void predict(StressField& stress, const StressField& carried, const SolidMotion& motion,
                  const CellField& temperature_rate, const TimeStep& step) const;
 
     /// The paper's step from `time` over dt.
-    void predict(StressField& stress, const HeatMotion& motion, const CellField& temperature_rate,
+    void predict(StressField& stress, const SolidMotion& motion, const CellField& temperature_rate,
                  double time, double dt) const {
         predict(stress, stress, motion, temperature_rate, euler_step(time, dt));
     }
@@ -42,17 +44,17 @@ public:
 
 private:
     Vector grid_velocity(const Cell& cell, const std::array<Node, 4>& nodes, int j, Local at,
-                         const HeatMotion& motion) const;
+                         const SolidMotion& motion) const;
     Deviator deviator_rate(const StressField& stress, int point, int i, int j,
-                           const HeatMotion& motion, double dt) const;
-    double pressure_rate(const StressField& stress, int i, int j, const HeatMotion& motion) const;
+                           const SolidMotion& motion, double dt) const;
+    double pressure_rate(const StressField& stress, int i, int j, const SolidMotion& motion) const;
     void add_source(StressField& stress, const SurfaceField& surface, double time, double dt) const;
 
     const Grid& grid_;
     const MaterialMap& materials_;
     const Checkerboard& checkerboard_;
     StressNeighbours neighbours_;
-    Sources::Function<PlaneStress> source_;
+    SpaceTimeFunction<PlaneStress> source_;
     Element element_;
     ThermalStress thermal_stress_;
 };

@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "solver/element/stress_field.hpp"
 #include "solver/mesh/weno.hpp"
-#include "solver/stress/stress_field.hpp"
 
 namespace crawford {
 

@@ -13,8 +13,8 @@ namespace crawford {
 namespace {
 
 double projection_seconds(const Simulation& simulation) {
-    for (const RoomTime& time : simulation.timing())
-        if (time.room == "projection") return time.seconds;
+    for (const ModuleTime& time : simulation.timing())
+        if (time.module == "projection") return time.seconds;
     return 0.0;
 }
 

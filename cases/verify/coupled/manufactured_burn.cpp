@@ -2,8 +2,8 @@
 
 #include "cases/units.hpp"
 #include "reference/manufactured_burning.hpp"
+#include "solver/element/element.hpp"
 #include "solver/mesh/cell.hpp"
-#include "solver/projection/element.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {

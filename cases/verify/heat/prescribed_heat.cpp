@@ -139,7 +139,7 @@ FoundHeat advance(const PrescribedHeat& heat, int steps) {
         const SurfaceField surface = prescribed.line(heat.surface, when);
         const SurfaceField surface_rate = prescribed.line(heat.surface_rate, when);
         const NodeVectors velocity = prescribed.velocity(when);
-        const HeatMotion motion{surface, surface_rate, velocity, temperature_rate};
+        const HeatMotion motion{{surface, surface_rate, velocity}, temperature_rate};
         const NodeField before = temperature;
         step.advance(temperature, motion, time, dt);
         if (heat.material_rate) {

@@ -6,8 +6,9 @@
 
 #include "reference/manufactured_heat.hpp"
 #include "reports/measurement.hpp"
+#include "solver/heat/heat_sources.hpp"
+#include "solver/mesh/lattice.hpp"
 #include "solver/scene/scene.hpp"
-#include "solver/step/sources.hpp"
 
 namespace crawford {
 
@@ -25,7 +26,7 @@ struct PrescribedHeat {
     std::function<Vector(double x, double y, double t)> velocity = {};
     /// DT/Dt at `start`, where the stress work is split; later the step's own is handed on.
     Field material_rate = {};
-    Sources sources = {};
+    HeatSources sources = {};
     /// Where in a step the motion is taken: 0, its start, as a burning solid must; 0.5, its middle,
     /// does not add an error of first order in time.
     double motion_at = 0.5;

@@ -14,7 +14,7 @@ double pressure(const PlaneStress& s) {
 }  // namespace
 
 ElasticStep::ElasticStep(const Scene& scene, const std::function<double(double x)>& height,
-                         const Sources& sources)
+                         const ProjectionSources& sources)
     : grid_(scene.domain), displacement_(grid_.node_columns(), grid_.rows() + 1) {
     for (int i = 0; i < grid_.node_columns(); ++i) surface_.push_back(height(grid_.x(i)));
     MaterialMap materials(scene.morphology, grid_, scene.numerics);

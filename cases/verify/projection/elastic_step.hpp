@@ -9,9 +9,10 @@
 
 #include "reference/truth.hpp"
 #include "reports/measurement.hpp"
+#include "solver/element/stress_field.hpp"
 #include "solver/mesh/grid.hpp"
-#include "solver/step/sources.hpp"
-#include "solver/stress/stress_field.hpp"
+#include "solver/projection/projection_sources.hpp"
+#include "solver/scene/scene.hpp"
 
 namespace crawford {
 
@@ -19,7 +20,7 @@ class ElasticStep {
 public:
     /// Solves at once. \param height phi(x) [m] of the surface
     ElasticStep(const Scene& scene, const std::function<double(double x)>& height,
-                const Sources& sources);
+                const ProjectionSources& sources);
 
     using Where = std::function<bool(double x, double y)>;
 

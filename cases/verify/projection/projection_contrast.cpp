@@ -83,7 +83,7 @@ Scene scene(const ElasticStrip& strip, Element element, int cells) {
 /// Errors in the strip and beside it.
 reports::Measurement errors(const ElasticStrip& strip, Element element, int cells) {
     const ManufacturedStrip truth(strip);
-    const Sources sources{
+    const ProjectionSources sources{
         .body_force = [&](double x, double y, double) { return truth.body_force(x, y); },
         .traction = [&](double x, double y,
                         double) { return reference::traction(truth.stress(x, y), 0.0); }};

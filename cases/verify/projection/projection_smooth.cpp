@@ -94,7 +94,7 @@ Vector missing_traction(const Chosen& chosen, double x, double y) {
 
 reports::Measurement measure(const Chosen& chosen, Element element, int cells) {
     const auto& truth = chosen.truth;
-    Sources sources{
+    ProjectionSources sources{
         .body_force = [&](double x, double y, double) { return truth.body_force(x, y); }};
     if (chosen.needs_traction)
         sources.traction = [&](double x, double y, double) {

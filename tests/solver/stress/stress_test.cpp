@@ -8,7 +8,7 @@
 namespace crawford {
 namespace {
 
-/// A solid at rest under a level surface, for calls of one room alone.
+/// A solid at rest under a level surface, for calls of one module alone.
 struct Bench {
     explicit Bench(Scene s)
         : scene(std::move(s)),
@@ -21,7 +21,7 @@ struct Bench {
           velocity(grid.node_columns(), grid.rows() + 1),
           stress(grid.cell_columns(), grid.rows(), 4) {}
 
-    HeatMotion motion() const { return {surface, surface_rate, velocity, no_rate}; }
+    SolidMotion motion() const { return {surface, surface_rate, velocity}; }
 
     Scene scene;
     Grid grid;
@@ -30,7 +30,6 @@ struct Bench {
     StressStep step;
     SurfaceField surface, surface_rate;
     NodeVectors velocity;
-    CellField no_rate;
     StressField stress;
 };
 

@@ -1,4 +1,4 @@
-#include "solver/projection/checkerboard.hpp"
+#include "solver/element/checkerboard.hpp"
 
 namespace crawford {
 

@@ -1,4 +1,4 @@
-#include "solver/projection/element.hpp"
+#include "solver/element/element.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -2,15 +2,12 @@
 /// moment.
 #pragma once
 
-#include "solver/scene/scene.hpp"
-#include "solver/step/state.hpp"
-
 namespace crawford {
 
-/// Each room advances y' = f(y) as  y_new = base + span f(explicit state).
+/// Each equation advances y' = f(y) as  y_new = base + span f(explicit state).
 ///
-///     euler  base y_n,                  span dt,     explicit state y_n               (paper
-///     sec. 3.5) bdf2   base (4 y_n - y_n-1)/3,    span 2 dt/3, explicit state 2 y_n - y_n-1
+///  - euler: base y_n, span dt, explicit state y_n (paper sec. 3.5).
+///  - bdf2: base (4 y_n - y_n-1)/3, span 2 dt/3, explicit state 2 y_n - y_n-1.
 ///
 /// Both meet the constraint, equilibrium, at the new time. With bdf2 everything stands at the new
 /// time, and one solve of the projection still is all that a step takes (Ascher, Ruuth & Wetton

@@ -1,4 +1,4 @@
-#include "solver/stress/stress_field.hpp"
+#include "solver/element/stress_field.hpp"
 
 namespace crawford {
 
