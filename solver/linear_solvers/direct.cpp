@@ -20,7 +20,9 @@ public:
         analysed_ = true;
         factorisation_.factorize(lower);
         if (factorisation_.info() != Eigen::Success)
-            throw NumericalFailure("linear solver: the matrix is not positive definite");
+            throw NumericalFailure({.kind = FailureFields::Kind::not_positive_definite,
+                                    .module = "linear solver",
+                                    .quantity = "the matrix"});
         x = factorisation_.solve(b);
         return 0;
     }

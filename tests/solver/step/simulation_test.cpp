@@ -116,10 +116,12 @@ TEST(Simulation, NamesTheCellWhoseStressNoNumberHolds) {
     Scene scene = testing::mechanical_only(testing::slab(ammonium_perchlorate(), 16));
     scene.time.step = 1.0;
     const Grid grid(scene.domain);
-    Simulation simulation(scene, {.stress = [&](double, double y, double) {
-                              const bool there = y > grid.eta(8) && y < grid.eta(9);
-                              return PlaneStress{.s11 = there ? 1.2e308 : 0.0};
-                          }});
+    Sources sources;
+    sources.stress = [&](double, double y, double) {
+        const bool there = y > grid.eta(8) && y < grid.eta(9);
+        return PlaneStress{.s11 = there ? 1.2e308 : 0.0};
+    };
+    Simulation simulation(scene, sources);
     try {
         simulation.step();
         FAIL() << "a stress that no number holds went unseen";
