@@ -179,7 +179,7 @@ TEST_F(OutputCheckpoint, WhereADefaultWasNotGivenStillRestarts) {
     EXPECT_EQ(difference(old, now), std::nullopt);
     const std::string other = replaced(now, given, "viscous_time = \"0.001 s\"\n");
     EXPECT_THAT(difference(old, other).value_or(""),
-                ::testing::HasSubstr("numerics.viscous_time is 0.0005 s in the checkpoint"));
+                ::testing::HasSubstr("numerics.viscous_time is '0.0005 s' in the checkpoint"));
 }
 
 TEST_F(OutputCheckpoint, AllowsAnotherEndAndOtherOutput) {
