@@ -20,40 +20,23 @@ struct StateField {
     Member of;                       ///< of a State, the field
 };
 
-inline constexpr std::tuple state_fields{StateField{"surface", "m", Place::node_column,
-                                                    [](const Physics&) { return true; },
-                                                    [](auto& state) -> auto& {return state.surface;
-}  // namespace crawford
-}
-, StateField{"temperature", "K", Place::node, [](const Physics& p) { return p.heat; },
-             [](auto& state) -> auto& {return state.temperature;
-}
-}
-, StateField{"velocity", "m/s", Place::node, [](const Physics& p) { return p.mechanics; },
-             [](auto& state) -> auto& {return state.velocity;
-}
-}
-, StateField{"deviator", "Pa", Place::stress_point, [](const Physics& p) { return p.mechanics; },
-             [](auto& state) -> auto& {return state.stress.deviator;
-}
-}
-, StateField{"pressure", "Pa", Place::cell, [](const Physics& p) { return p.mechanics; },
-             [](auto& state) -> auto& {return state.stress.pressure;
-}
-}
-, StateField{"temperature_rate", "K/s", Place::cell,
-             [](const Physics& p) { return p.heat && p.mechanics; },
-             [](auto& state) -> auto& {return state.temperature_rate;
-}
-}
-, StateField {
-    "reference_shift", "m", Place::node, [](const Physics& p) { return p.reference_map; },
-        [](auto& state) -> auto& {
-        return state.reference_shift;
-    }
-}
-}
-;
+inline constexpr std::tuple state_fields{
+    StateField{"surface", "m", Place::node_column, [](const Physics&) { return true; },
+               [](auto& state) -> decltype(auto) { return (state.surface); }},
+    StateField{"temperature", "K", Place::node, [](const Physics& p) { return p.heat; },
+               [](auto& state) -> decltype(auto) { return (state.temperature); }},
+    StateField{"velocity", "m/s", Place::node, [](const Physics& p) { return p.mechanics; },
+               [](auto& state) -> decltype(auto) { return (state.velocity); }},
+    StateField{"deviator", "Pa", Place::stress_point, [](const Physics& p) { return p.mechanics; },
+               [](auto& state) -> decltype(auto) { return (state.stress.deviator); }},
+    StateField{"pressure", "Pa", Place::cell, [](const Physics& p) { return p.mechanics; },
+               [](auto& state) -> decltype(auto) { return (state.stress.pressure); }},
+    StateField{"temperature_rate", "K/s", Place::cell,
+               [](const Physics& p) { return p.heat && p.mechanics; },
+               [](auto& state) -> decltype(auto) { return (state.temperature_rate); }},
+    StateField{"reference_shift", "m", Place::node,
+               [](const Physics& p) { return p.reference_map; },
+               [](auto& state) -> decltype(auto) { return (state.reference_shift); }}};
 
 /// Calls `visit(field)` for each StateField, in the order of the list.
 template <class Visit>
