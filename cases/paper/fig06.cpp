@@ -67,6 +67,7 @@ Scene pressed(int nx, Element element) {
     scene.domain.nx = nx;
     scene.domain.ny = 2 * nx;
     scene.physics = {.heat = false, .reference_map = false, .regression = Regression::none};
+    scene.numerics.viscous_time.reset();  // it follows what burns
     scene.numerics.element = element;
     return scene;
 }

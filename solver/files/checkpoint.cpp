@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "solver/files/hdf5_file.hpp"
 #include "solver/files/scene_difference.hpp"
+#include "solver/step/state_fields.hpp"
 
 namespace crawford {
 
@@ -45,6 +46,11 @@ void take(const double* numbers, Deviator& s) {
     s = {numbers[0], numbers[1], numbers[2]};
 }
 
+void write(Hdf5File& file, const std::string& path, const SurfaceField& field,
+           const std::string& units) {
+    file.write(path, Numbers(field), {field.size()}, units);
+}
+
 template <class Value>
 void write(Hdf5File& file, const std::string& path, const Lattice<Value>& field,
            const std::string& units) {
@@ -55,17 +61,38 @@ void write(Hdf5File& file, const std::string& path, const Lattice<Value>& field,
                {hsize_t(field.columns()), hsize_t(field.rows()), components<Value>}, units);
 }
 
+std::string path_of_point(const std::string& path, size_t point) {
+    return fmt::format("{}_{}", path, point);
+}
+
+/// A field of several points a cell: one data set for each.
 template <class Value>
-Lattice<Value> read(const Hdf5File& file, const std::string& path) {
-    if (!file.contains(path)) return {};
+void write(Hdf5File& file, const std::string& path, const std::vector<Lattice<Value>>& points,
+           const std::string& units) {
+    for (size_t k = 0; k < points.size(); ++k)
+        write(file, path_of_point(path, k), points[k], units);
+}
+
+void read(const Hdf5File& file, const std::string& path, SurfaceField& field) {
+    field = file.read<double>(path);
+}
+
+template <class Value>
+void read(const Hdf5File& file, const std::string& path, Lattice<Value>& field) {
+    if (!file.contains(path)) return;
     const Shape shape = file.shape(path);
     if (shape.size() != 3 || shape[2] != components<Value>)
         throw InputError(path + " has a shape that no checkpoint has");
     const std::vector<double> numbers = file.read<double>(path);
-    Lattice<Value> field(static_cast<int>(shape[0]), static_cast<int>(shape[1]));
+    field = Lattice<Value>(static_cast<int>(shape[0]), static_cast<int>(shape[1]));
     for (size_t k = 0; k < field.values().size(); ++k)
         take(&numbers[k * components<Value>], field.values()[k]);
-    return field;
+}
+
+template <class Value>
+void read(const Hdf5File& file, const std::string& path, std::vector<Lattice<Value>>& points) {
+    for (size_t k = 0; file.contains(path_of_point(path, k)); ++k)
+        read(file, path_of_point(path, k), points.emplace_back());
 }
 
 template <class Number>
@@ -75,37 +102,23 @@ Number read_one(const Hdf5File& file, const std::string& path) {
     return numbers.front();
 }
 
-std::string deviator_path(const std::string& group, int point) {
-    return fmt::format("{}/deviator_{}", group, point);
-}
-
 void write_state(Hdf5File& file, const std::string& group, const State& state) {
     const std::int64_t step = state.step;
     file.create_group(group);
     file.write(group + "/step", std::span(&step, 1), {}, "1");
     file.write(group + "/time", Numbers(&state.time, 1), {}, "s");
-    file.write(group + "/surface", Numbers(state.surface), {state.surface.size()}, "m");
-    write(file, group + "/temperature", state.temperature, "K");
-    write(file, group + "/velocity", state.velocity, "m/s");
-    for (int point = 0; point < state.stress.points(); ++point)
-        write(file, deviator_path(group, point), state.stress.deviator[size_t(point)], "Pa");
-    write(file, group + "/pressure", state.stress.pressure, "Pa");
-    write(file, group + "/temperature_rate", state.temperature_rate, "K/s");
-    write(file, group + "/reference_shift", state.reference_shift, "m");
+    for_each_state_field([&](const auto& field) {
+        write(file, fmt::format("{}/{}", group, field.name), field.of(state), field.unit);
+    });
 }
 
 State read_state(const Hdf5File& file, const std::string& group) {
     State state;
     state.step = read_one<std::int64_t>(file, group + "/step");
     state.time = read_one<double>(file, group + "/time");
-    state.surface = file.read<double>(group + "/surface");
-    state.temperature = read<double>(file, group + "/temperature");
-    state.velocity = read<Vector>(file, group + "/velocity");
-    for (int point = 0; file.contains(deviator_path(group, point)); ++point)
-        state.stress.deviator.push_back(read<Deviator>(file, deviator_path(group, point)));
-    state.stress.pressure = read<double>(file, group + "/pressure");
-    state.temperature_rate = read<double>(file, group + "/temperature_rate");
-    state.reference_shift = read<Vector>(file, group + "/reference_shift");
+    for_each_state_field([&](const auto& field) {
+        read(file, fmt::format("{}/{}", group, field.name), field.of(state));
+    });
     return state;
 }
 

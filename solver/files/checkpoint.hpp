@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "solver/files/provenance.hpp"
-#include "solver/run/steadiness.hpp"
+#include "solver/files/sample.hpp"
 #include "solver/step/state.hpp"
 
 namespace crawford {
 
 struct Checkpoint {
     State state;
-    std::vector<Sample> window;  ///< of Steadiness
+    std::vector<Sample> window;  ///< of the quantity that is watched for steadiness
 };
 
 /// "<directory>/<name>_checkpoint_<step>.h5", where a run called `name` puts them.

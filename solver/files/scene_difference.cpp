@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "base/errors.hpp"
+#include "solver/scene/read_scene.hpp"
+#include "solver/scene/write_scene.hpp"
 
 namespace crawford {
 
@@ -49,6 +51,16 @@ Values parse(const std::string& scene) {
     return values;
 }
 
+/// With the defaults that an earlier program left out of its checkpoints. What is no whole scene is
+/// compared as it stands.
+std::string complete(const std::string& scene) {
+    try {
+        return to_toml(parse_scene(scene));
+    } catch (const InputError&) {
+        return scene;
+    }
+}
+
 std::string value_of(const Values& values, const std::string& key) {
     const auto found = values.find(key);
     return found == values.end() ? "not given" : found->second;
@@ -57,8 +69,8 @@ std::string value_of(const Values& values, const std::string& key) {
 }  // namespace
 
 std::optional<std::string> difference(const std::string& checkpoint, const std::string& scene) {
-    const Values old_values = parse(checkpoint);
-    const Values new_values = parse(scene);
+    const Values old_values = parse(complete(checkpoint));
+    const Values new_values = parse(complete(scene));
     Values all = old_values;
     all.insert(new_values.begin(), new_values.end());
     for (const auto& [key, _] : all) {

@@ -1,7 +1,5 @@
 #include "solver/heat/heat_step.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "base/errors.hpp"
@@ -19,10 +17,14 @@ void check(const NodeField& temperature) {
         for (int j = 0; j < temperature.rows(); ++j)
             if (!(temperature(i, j) > 0.0 && std::isfinite(temperature(i, j))))
                 throw NumericalFailure(
-                    fmt::format("heat: temperature {:.6g} K at node ({}, {}), limit above 0 K; "
-                                "reduce time.step, or take "
-                                "numerics.coupling = \"adiabatic\"",
-                                temperature(i, j), i, j));
+                    {.kind = FailureFields::Kind::beyond_limit,
+                     .module = "heat",
+                     .quantity = "temperature",
+                     .value = temperature(i, j),
+                     .unit = "K",
+                     .limit = FailureLimit{.value = 0.0, .is_least = true},
+                     .place = FailurePlace{"node", i, j},
+                     .advice = "reduce time.step, or take numerics.coupling = \"adiabatic\""});
 }
 
 }  // namespace
@@ -99,10 +101,14 @@ void HeatStep::check_coupling(int i, int j, double heat_capacity, double tempera
         materials_.bulk_modulus(i, j) + 4.0 / 3.0 * materials_.shear_modulus(i, j);
     const double coupling = temperature * beta * beta / (heat_capacity * confined);
     if (coupling < 1.0) return;
-    throw NumericalFailure(fmt::format(
-        "heat: coupling number g = {:.4g} at cell ({}, {}), limit 1 for numerics.coupling = "
-        "\"lagged\"; take \"adiabatic\"",
-        coupling, i, j));
+    throw NumericalFailure(
+        {.kind = FailureFields::Kind::beyond_limit,
+         .module = "heat",
+         .quantity = "coupling number g",
+         .value = coupling,
+         .limit = FailureLimit{.value = 1.0, .condition = "for numerics.coupling = \"lagged\""},
+         .place = FailurePlace{"cell", i, j},
+         .advice = "take \"adiabatic\""});
 }
 
 void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMotion& motion) {

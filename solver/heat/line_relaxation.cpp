@@ -67,10 +67,15 @@ int relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x, double
         if (largest <= tolerance || (columns == 1 && std::isfinite(largest))) return sweep;
         if (std::isnan(largest)) break;
     }
-    throw NumericalFailure(fmt::format(
-        "heat: line relaxation did not converge in {} sweeps: column {} still changes by {:.3g} K "
-        "(limit {:.3g} K); reduce time.step",
-        most_sweeps, worst, largest, tolerance));
+    throw NumericalFailure(
+        {.kind = FailureFields::Kind::no_convergence,
+         .module = "heat",
+         .quantity = fmt::format("change of the line relaxation, {} sweeps allowed,", most_sweeps),
+         .value = largest,
+         .unit = "K",
+         .limit = FailureLimit{.value = tolerance},
+         .place = FailurePlace{"node column", worst},
+         .advice = "reduce time.step"});
 }
 
 }  // namespace crawford

@@ -28,7 +28,9 @@ template <class Factorisation>
 void factorise(Factorisation& factorisation, const SparseMatrix& lower) {
     factorisation.factorize(lower);
     if (factorisation.info() != Eigen::Success)
-        throw NumericalFailure("linear solver: the matrix is not positive definite");
+        throw NumericalFailure({.kind = FailureFields::Kind::not_positive_definite,
+                                .module = "linear solver",
+                                .quantity = "the matrix"});
 }
 
 using Supernodal = Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower>;

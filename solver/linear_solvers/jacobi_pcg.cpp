@@ -27,10 +27,12 @@ public:
         x = pcg.solveWithGuess(b, x);
         if (pcg.info() != Eigen::Success || !x.allFinite())
             throw NumericalFailure(
-                fmt::format("linear solver: relative residual {:.3g} after {} iterations, limit "
-                            "{:.3g}; take numerics.solver = "
-                            "\"cholmod\"",
-                            pcg.error(), pcg.iterations(), tolerance_));
+                {.kind = FailureFields::Kind::no_convergence,
+                 .module = "linear solver",
+                 .quantity = fmt::format("relative residual after {} iterations", pcg.iterations()),
+                 .value = pcg.error(),
+                 .limit = FailureLimit{.value = tolerance_},
+                 .advice = "take numerics.solver = \"cholmod\""});
         return int(pcg.iterations());
     }
 

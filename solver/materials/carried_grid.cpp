@@ -1,7 +1,5 @@
 #include "solver/materials/carried_grid.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -27,10 +25,15 @@ CarriedGrid::CarriedGrid(const Grid& grid, const SurfaceField& surface, const No
     for (int i = 0; i < grid_.cell_columns(); ++i)
         for (int j = 0; j < grid_.rows(); ++j)
             if (!(area(i, j) > 0.0))
-                throw NumericalFailure(fmt::format(
-                    "morphology: the reference map turns cell ({}, {}) inside out; reduce "
-                    "time.step, or take morphology.indicator = \"laboratory\"",
-                    i, j));
+                throw NumericalFailure(
+                    {.kind = FailureFields::Kind::beyond_limit,
+                     .module = "morphology",
+                     .quantity = "area of what the reference map turns inside out",
+                     .value = area(i, j),
+                     .unit = "m2",
+                     .limit = FailureLimit{.value = 0.0, .is_least = true},
+                     .place = FailurePlace{"cell", i, j},
+                     .advice = "reduce time.step, or take morphology.indicator = \"laboratory\""});
 }
 
 std::array<Vector, 4> CarriedGrid::cell(int i, int j, const Vector& origin) const {

@@ -2,6 +2,7 @@
 
 #include "solver/mesh/node_lengths.hpp"
 #include "solver/projection/support.hpp"
+#include "solver/scene/defaults.hpp"
 
 namespace crawford {
 
@@ -17,12 +18,6 @@ Eigen::Matrix2d stress_at(const Deviator& s, double pressure, double viscosity,
     return sigma + 2.0 * viscosity * (d - d.trace() / 3.0 * Eigen::Matrix2d::Identity());
 }
 
-double default_viscous_time(const Scene& scene) {
-    const bool has_corners = !std::holds_alternative<Uniform>(scene.morphology.shape);
-    const bool burns = scene.physics.regression != Regression::none;
-    return has_corners && burns ? viscous_time_at_a_corner : 0.0;
-}
-
 }  // namespace
 
 Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
@@ -36,7 +31,7 @@ Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& 
       load_(scene.surface),
       solver_kind_(scene.numerics.solver),
       solver_tolerance_(scene.numerics.solver_tolerance),
-      viscous_time_(scene.numerics.viscous_time.value_or(default_viscous_time(scene))),
+      viscous_time_(viscous_time(scene)),
       matrix_(grid, held_unknowns(grid, scene.bottom.support), checkerboard.patches()) {
     forget();
 }

@@ -95,7 +95,7 @@ private:
         } catch (const InputError& error) {
             kept = fmt::format("the last good state is lost: {}", error.what());
         }
-        throw NumericalFailure(fmt::format("{}; {}", failure.what(), kept));
+        throw with_advice(failure, kept);
     }
 
     void write(const std::string& outcome) {

@@ -5,16 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "solver/files/sample.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
-
-/// One value of the quantity that is watched.
-struct Sample {
-    double time;  ///< [s]
-    double value;
-};
 
 /// The quantity watched is the mean burn rate. Where the scene prescribes it, it cannot tell, and
 /// the largest temperature is watched instead; without heat, the largest strain.

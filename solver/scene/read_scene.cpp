@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
 #include "solver/scene/check_scene.hpp"
+#include "solver/scene/defaults.hpp"
 #include "solver/scene/overrides.hpp"
 #include "solver/scene/read_materials.hpp"
 #include "solver/scene/read_morphology.hpp"
@@ -127,7 +129,7 @@ Scene scene_of(const toml::table& text, const std::string& where,
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", where, error.what()));
     }
-    return scene;
+    return resolved(std::move(scene));
 }
 
 Scene parse_scene(std::string_view text, const std::string& where,

@@ -148,8 +148,8 @@ struct Numerics {
     StrainNorm strain_norm = StrainNorm::frobenius;
     CutConductivity cut_cell_conductivity = CutConductivity::laminate;
     CutModuli cut_cell_moduli = CutModuli::harmonic;
-    /// tau [s] of a Kelvin-Voigt stress 2 mu tau dev D in the softer material. Not given, it is
-    /// viscous_time_at_a_corner where a surface of two materials burns, and zero everywhere else.
+    /// tau [s] of a Kelvin-Voigt stress 2 mu tau dev D in the softer material; where it is not
+    /// given, resolved() puts it in (defaults.hpp).
     std::optional<double> viscous_time = std::nullopt;
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "solver/scene/defaults.hpp"
 #include "solver/scene/scene_keys.hpp"
 
 namespace crawford {
@@ -99,9 +100,9 @@ void write(TomlWriter& out, const Discs& shape, const std::vector<Material>& mat
 std::string heat_flux(const Scene& scene) {
     std::string fluxes;
     for (std::size_t i = 0; i < scene.morphology.materials.size(); ++i) {
-        fluxes +=
-            fmt::format("{}{} = {}", i == 0 ? "" : ", ", in_quotes(scene.morphology.materials[i].name),
-                        with_unit(scene.surface.heat_flux.at(i), keys::heat_flux.unit));
+        fluxes += fmt::format("{}{} = {}", i == 0 ? "" : ", ",
+                              in_quotes(scene.morphology.materials[i].name),
+                              with_unit(scene.surface.heat_flux.at(i), keys::heat_flux.unit));
     }
     return fmt::format("{{ {} }}", fluxes);
 }
@@ -109,7 +110,7 @@ std::string heat_flux(const Scene& scene) {
 }  // namespace
 
 std::string to_toml(const Scene& scene) {
-    Scene s = scene;  // the keys are visited for reading too, and so want variables
+    Scene s = resolved(scene);  // a variable, for the keys are visited for reading too
     TomlWriter out;
     out.text("title", s.title);
     out.section("domain");

@@ -1,7 +1,5 @@
 #include "solver/step/simulation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,35 +9,21 @@
 #include "solver/heat/heat_step.hpp"
 #include "solver/projection/projection.hpp"
 #include "solver/reference_map/reference_map.hpp"
+#include "solver/scene/defaults.hpp"
 #include "solver/stress/stress_step.hpp"
 
 namespace crawford {
 
 namespace {
 
-State cold_and_at_rest(const Scene& scene, const Grid& grid) {
-    const int columns = grid.node_columns();
-    const int rows = grid.rows() + 1;
-    State state;
-    state.surface.assign(size_t(columns), 0.0);
-    if (scene.physics.heat) state.temperature = NodeField(columns, rows, scene.bottom.temperature);
-    if (scene.physics.mechanics) {
-        state.velocity = NodeVectors(columns, rows);
-        state.stress = StressField(grid.cell_columns(), grid.rows(),
-                                   int(stress_points(scene.numerics.element).size()));
-    }
-    if (scene.physics.heat && scene.physics.mechanics)
-        state.temperature_rate = CellField(grid.cell_columns(), grid.rows());
-    if (scene.physics.reference_map) state.reference_shift = NodeVectors(columns, rows);
-    return state;
-}
-
 void check_finite(const NodeVectors& field, const char* module, const char* name) {
     for (int i = 0; i < field.columns(); ++i)
         for (int j = 0; j < field.rows(); ++j)
             if (!field(i, j).allFinite())
-                throw NumericalFailure(
-                    fmt::format("{}: {} is not a number at node ({}, {})", module, name, i, j));
+                throw NumericalFailure({.kind = FailureFields::Kind::not_finite,
+                                        .module = module,
+                                        .quantity = name,
+                                        .place = FailurePlace{"node", i, j}});
 }
 
 void check_finite(const StressField& stress) {
@@ -47,19 +31,11 @@ void check_finite(const StressField& stress) {
         for (int j = 0; j < stress.pressure.rows(); ++j) {
             const PlaneStress mean = stress.mean(i, j);
             if (!std::isfinite(mean.s11 + mean.s22 + mean.s33 + mean.s12))
-                throw NumericalFailure(
-                    fmt::format("stress: the stress is not a number in cell ({}, {})", i, j));
+                throw NumericalFailure({.kind = FailureFields::Kind::not_finite,
+                                        .module = "stress",
+                                        .quantity = "the stress",
+                                        .place = FailurePlace{"cell", i, j}});
         }
-}
-
-bool same_shape(const State& a, const State& b) {
-    return a.surface.size() == b.surface.size() &&
-           a.temperature.values().size() == b.temperature.values().size() &&
-           a.velocity.values().size() == b.velocity.values().size() &&
-           a.stress.points() == b.stress.points() &&
-           a.stress.pressure.values().size() == b.stress.pressure.values().size() &&
-           a.temperature_rate.values().size() == b.temperature_rate.values().size() &&
-           a.reference_shift.values().size() == b.reference_shift.values().size();
 }
 
 }  // namespace
@@ -86,7 +62,7 @@ struct Simulation::Modules {
           materials(scene.morphology, grid, scene.numerics),
           law(scene.physics.regression, scene.surface),
           checkerboard(grid, materials, scene.numerics.element),
-          state(cold_and_at_rest(scene, grid)) {
+          state(initial_state(scene, grid)) {
         if (scene.physics.heat)
             heat = std::make_unique<HeatStep>(scene, grid, materials, law, sources);
         if (!scene.physics.mechanics) return;
@@ -149,8 +125,10 @@ struct Simulation::Modules {
             for (size_t i = 0; i < rate.size(); ++i) {
                 next.surface[i] += step.span * rate[i];
                 if (!std::isfinite(next.surface[i]))
-                    throw NumericalFailure(
-                        fmt::format("burning: the surface is not a number at node column {}", i));
+                    throw NumericalFailure({.kind = FailureFields::Kind::not_finite,
+                                            .module = "burning",
+                                            .quantity = "the surface",
+                                            .place = FailurePlace{"node column", int(i)}});
             }
         });
     }
@@ -209,7 +187,7 @@ struct Simulation::Modules {
 };
 
 Simulation::Simulation(Scene scene, Sources sources)
-    : modules_(std::make_unique<Modules>(std::move(scene), std::move(sources))) {}
+    : modules_(std::make_unique<Modules>(resolved(std::move(scene)), std::move(sources))) {}
 
 Simulation::~Simulation() = default;
 
@@ -219,9 +197,10 @@ void Simulation::step() {
         next = modules_->advanced(modules_->state);
     } catch (const NumericalFailure& failure) {
         modules_->materials.follow(modules_->state.surface, modules_->state.reference_shift);
-        throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", modules_->state.step + 1,
-                                           modules_->state.time + modules_->scene.time.step,
-                                           failure.what()));
+        FailureFields fields = failure.fields();
+        fields.step = modules_->state.step + 1;
+        fields.time = modules_->state.time + modules_->scene.time.step;
+        throw NumericalFailure(std::move(fields));
     }
     if (!modules_->stress && modules_->materials.moves()) modules_->materials.follow(next.surface);
     next.previous = modules_->remembered(std::move(modules_->state));

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "solver/element/stress_field.hpp"
-#include "solver/mesh/lattice.hpp"
+#include "solver/mesh/grid.hpp"
 
 namespace crawford {
 
@@ -21,6 +21,12 @@ struct State {
     /// The state one step before, where time.scheme looks back that far; its own is always empty.
     std::shared_ptr<const State> previous;
 };
+
+/// Cold, at rest and unstressed, with the fields that the scene asks for and no others.
+State initial_state(const Scene& scene, const Grid& grid);
+
+/// Whether the fields of both have the same sizes.
+bool same_shape(const State& a, const State& b);
 
 /// a x + b y, field by field; time, step and previous are those of x.
 /// Both must be states of the same scene.

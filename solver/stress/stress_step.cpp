@@ -1,7 +1,5 @@
 #include "solver/stress/stress_step.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "base/errors.hpp"
@@ -55,10 +53,13 @@ Deviator StressStep::deviator_rate(const StressField& stress, int point, int i, 
     const Local at = stress_points(element_)[size_t(point)];
     const Vector w = grid_velocity(cell, nodes, j, at, motion);
     if (!(std::abs(w.x()) * dt <= 1.0 && std::abs(w.y()) * dt <= 1.0))
-        throw NumericalFailure(
-            fmt::format("stress: the material crosses {:.3g} cells in one step at cell ({}, {}), "
-                        "limit 1; reduce time.step",
-                        dt * w.cwiseAbs().maxCoeff(), i, j));
+        throw NumericalFailure({.kind = FailureFields::Kind::beyond_limit,
+                                .module = "stress",
+                                .quantity = "cells that the material crosses in one step",
+                                .value = dt * w.cwiseAbs().maxCoeff(),
+                                .limit = FailureLimit{.value = 1.0},
+                                .place = FailurePlace{"cell", i, j},
+                                .advice = "reduce time.step"});
 
     Deviator rate =
         -w.y() * upwind_derivative(neighbours_.along_column(stress, point, i, j), w.y());

@@ -42,6 +42,7 @@ Scene pressed(int nx) {
     scene.domain.nx = nx;
     scene.domain.ny = nx / 2;
     scene.physics = {.heat = false, .reference_map = false, .regression = Regression::none};
+    scene.numerics.viscous_time.reset();  // it follows what burns
     return scene;
 }
 

@@ -50,9 +50,10 @@ Scene inclusion_scene(const DiscAndMatrix& pair, int cells) {
 
 void measure_inclusion(const Scene& scene, const FadedInclusion& truth, const std::string& suffix,
                        reports::Measurement& result) {
-    Simulation simulation(scene, {.body_force = [&](double x, double y, double) {
-                              return truth.body_force(x - centre.x(), y - centre.y());
-                          }});
+    const ProjectionSources sources{.body_force = [&](double x, double y, double) {
+        return truth.body_force(x - centre.x(), y - centre.y());
+    }};
+    Simulation simulation(scene, {{}, {}, sources});
     simulation.step();
     const Grid& grid = simulation.grid();
     const State& state = simulation.state();

@@ -38,6 +38,7 @@ Scene pressed(int nx) {
     scene.domain.nx = nx;
     scene.domain.ny = 2 * nx;
     scene.physics = {.heat = false, .reference_map = false, .regression = Regression::none};
+    scene.numerics.viscous_time.reset();  // it follows what burns
     return scene;
 }
 

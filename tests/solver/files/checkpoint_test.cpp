@@ -2,6 +2,7 @@
 // other.
 #include "solver/files/checkpoint.hpp"
 
+#include <gmock/gmock.h>
 #include <sys/resource.h>
 
 #include <bit>
@@ -13,6 +14,8 @@
 #include "base/errors.hpp"
 #include "solver/files/hdf5_file.hpp"
 #include "solver/files/scene_difference.hpp"
+#include "solver/scene/write_scene.hpp"
+#include "tests/solver/scenes.hpp"
 #include "tests/solver/scratch.hpp"
 
 namespace crawford {
@@ -166,6 +169,17 @@ TEST_F(OutputCheckpoint, OfAnotherSceneIsRefusedNamingWhatDiffers) {
     EXPECT_NE(disc.find("morphology.discs[1].y"), std::string::npos) << disc;
     const std::string key = refusal(scene + "[bottom]\nsupport = \"clamped\"\n");
     EXPECT_NE(key.find("bottom.support is not given in the checkpoint"), std::string::npos) << key;
+}
+
+TEST_F(OutputCheckpoint, WhereADefaultWasNotGivenStillRestarts) {
+    const std::string now = to_toml(testing::sandwich(16, 24));
+    const std::string given = "viscous_time = \"0.0005 s\"\n";
+    ASSERT_NE(now.find(given), std::string::npos) << now;
+    const std::string old = replaced(now, given, "");
+    EXPECT_EQ(difference(old, now), std::nullopt);
+    const std::string other = replaced(now, given, "viscous_time = \"0.001 s\"\n");
+    EXPECT_THAT(difference(old, other).value_or(""),
+                ::testing::HasSubstr("numerics.viscous_time is '0.0005 s' in the checkpoint"));
 }
 
 TEST_F(OutputCheckpoint, AllowsAnotherEndAndOtherOutput) {

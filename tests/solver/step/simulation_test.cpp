@@ -116,10 +116,12 @@ TEST(Simulation, NamesTheCellWhoseStressNoNumberHolds) {
     Scene scene = testing::mechanical_only(testing::slab(ammonium_perchlorate(), 16));
     scene.time.step = 1.0;
     const Grid grid(scene.domain);
-    Simulation simulation(scene, {.stress = [&](double, double y, double) {
-                              const bool there = y > grid.eta(8) && y < grid.eta(9);
-                              return PlaneStress{.s11 = there ? 1.2e308 : 0.0};
-                          }});
+    Sources sources;
+    sources.stress = [&](double, double y, double) {
+        const bool there = y > grid.eta(8) && y < grid.eta(9);
+        return PlaneStress{.s11 = there ? 1.2e308 : 0.0};
+    };
+    Simulation simulation(scene, sources);
     try {
         simulation.step();
         FAIL() << "a stress that no number holds went unseen";
@@ -138,8 +140,8 @@ TEST(Simulation, HeatsByASourceAsByItsIntegral) {
         .heat = true, .mechanics = false, .reference_map = false, .regression = Regression::none};
     scene.surface.heat_flux = {0.0};
     scene.time.step = 1e-4;
-    Simulation simulation(scene,
-                          {.heat = [](double, double, double) { return 1950.0 * 1255.2 * 1e3; }});
+    Simulation simulation(
+        scene, {{.heat = [](double, double, double) { return 1950.0 * 1255.2 * 1e3; }}, {}, {}});
     for (int k = 0; k < 10; ++k) simulation.step();
     EXPECT_NEAR(simulation.state().temperature(0, 16), 301.0, 1e-6);
 }
@@ -149,8 +151,8 @@ TEST(Simulation, ABodyForceHangsOnTheBottom) {
     // centres.
     Scene scene = testing::mechanical_only(testing::slab(ammonium_perchlorate(), 16));
     scene.surface.pressure = 0.0;
-    Simulation simulation(scene,
-                          {.body_force = [](double, double, double) { return Vector(0.0, -1e9); }});
+    Simulation simulation(
+        scene, {{}, {}, {.body_force = [](double, double, double) { return Vector(0.0, -1e9); }}});
     simulation.step();
     const Grid& grid = simulation.grid();
     for (int j = 0; j < 16; ++j)
@@ -162,7 +164,8 @@ TEST(Simulation, AStressSourceRaisesTheStressItIsGivenFor) {
     Scene scene = testing::mechanical_only(testing::slab(ammonium_perchlorate(), 16));
     scene.surface.pressure = 0.0;
     const PlaneStress source{3e9, 0.0, 3e9, 0.0};  // [Pa/s], in equilibrium as it is
-    Simulation simulation(scene, {.stress = [=](double, double, double) { return source; }});
+    Simulation simulation(scene,
+                          {{}, {.stress = [=](double, double, double) { return source; }}, {}});
     simulation.step();
     EXPECT_NEAR(simulation.state().stress.mean(0, 8).s11, 3e9 * scene.time.step, 1e-3);
     EXPECT_NEAR(simulation.state().stress.mean(0, 8).s22, 0.0, 1e-3);
