@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <complex>
 
-#include "reference/elastic_sandwich.hpp"
 #include "reference/material.hpp"
+#include "reference/plane_strain_stress.hpp"
 
 namespace crawford::reference {
 

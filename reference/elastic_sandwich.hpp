@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include "reference/plane_strain_stress.hpp"
 #include "reference/sandwich_geometry.hpp"
 
 namespace crawford::reference {
@@ -10,12 +11,6 @@ namespace crawford::reference {
 enum class Support {
     clamped,  ///< u = v = 0
     roller,   ///< v = 0, u free
-};
-
-/// Stress in plane strain [Pa].
-struct PlaneStrainStress {
-    double xx, yy, zz, xy;
-    double pressure() const { return -(xx + yy + zz) / 3.0; }  ///< [Pa]
 };
 
 /// A cold sandwich under a pressure on its flat surface: small-strain linear elasticity in plane

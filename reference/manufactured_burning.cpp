@@ -74,7 +74,7 @@ struct ShiftField {
     }
 };
 
-/// s11, s22, s33, s12.
+/// xx, yy, zz, xy.
 struct StressOfPlace {
     const BurningParameters& p;
 
@@ -185,7 +185,7 @@ Matrix2d ManufacturedBurning::velocity_gradient(double x, double y, double t) co
     return motion(x, y, t).velocity_gradient;
 }
 
-BurningStress ManufacturedBurning::stress(double x, double y, double t) const {
+PlaneStrainStress ManufacturedBurning::stress(double x, double y, double t) const {
     const auto s = StressOfPlace{p_}(x, y, t);
     return {s[0], s[1], s[2], s[3]};
 }
@@ -210,7 +210,7 @@ double ManufacturedBurning::heat_source(double x, double y, double t) const {
 
 /// S = D(sigma)/Dt + sigma.omega - omega.sigma - C:D + beta (DT/Dt) I,
 /// omega = (grad v - grad v^T)/2.
-BurningStress ManufacturedBurning::stress_source(double x, double y, double t) const {
+PlaneStrainStress ManufacturedBurning::stress_source(double x, double y, double t) const {
     const Material& m = p_.material;
     const auto s = derivatives(StressOfPlace{p_}, x, y, t);
     const Motion at = motion(x, y, t);
@@ -249,9 +249,9 @@ double ManufacturedBurning::heat_flux(double x, double t) const {
 Vector2d ManufacturedBurning::traction(double x, double t) const {
     const double k = two_pi / p_.width;
     const double slope = -k * p_.wave_height * std::sin(k * x - p_.wave_frequency * t);
-    const BurningStress s = stress(x, surface(x, t), t);
+    const PlaneStrainStress s = stress(x, surface(x, t), t);
     Matrix2d sigma;
-    sigma << s.s11, s.s12, s.s12, s.s22;
+    sigma << s.xx, s.xy, s.xy, s.yy;
     return sigma * normal(slope) + p_.gas_pressure * normal(slope);
 }
 

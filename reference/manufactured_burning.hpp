@@ -4,6 +4,7 @@
 #include <array>
 
 #include "reference/material.hpp"
+#include "reference/plane_strain_stress.hpp"
 
 /// A whole burning solid, manufactured: surface, temperature, motion, stress and reference map are
 /// smooth functions chosen at will, and the sources are what the equations lack to have them for a
@@ -34,11 +35,6 @@ struct BurningParameters {
     double gas_flux = missing;            ///< Q_g, of which the heat flux is the remainder [W/m^2]
 };
 
-/// Components of a plane-strain stress [Pa] or of its rate [Pa/s].
-struct BurningStress {
-    double s11, s22, s33, s12;
-};
-
 class ManufacturedBurning {
 public:
     /// beta = 3 alpha K, c = c_p.
@@ -52,14 +48,14 @@ public:
     double temperature_rate(double x, double y, double t) const;               ///< DT/Dt [K/s]
     Eigen::Vector2d velocity(double x, double y, double t) const;              ///< v [m/s]
     Eigen::Matrix2d velocity_gradient(double x, double y, double t) const;     ///< dv_i/dx_j [1/s]
-    BurningStress stress(double x, double y, double t) const;                  ///< sigma
+    PlaneStrainStress stress(double x, double y, double t) const;              ///< sigma
     Eigen::Vector2d shift(double x, double y, double t) const;                 ///< xi - (x, y) [m]
     Eigen::Matrix2d deformation_gradient(double x, double y, double t) const;  ///< (grad xi)^-1
 
     // What the equations lack.
-    double heat_source(double x, double y, double t) const;           ///< q [W/m^3]
-    BurningStress stress_source(double x, double y, double t) const;  ///< S
-    Eigen::Vector2d body_force(double x, double y, double t) const;   ///< b [N/m^3]
+    double heat_source(double x, double y, double t) const;               ///< q [W/m^3]
+    PlaneStrainStress stress_source(double x, double y, double t) const;  ///< S [Pa/s]
+    Eigen::Vector2d body_force(double x, double y, double t) const;       ///< b [N/m^3]
     double heat_flux(double x, double t) const;          ///< beside Q_g + q_s rho r_b [W/m^2]
     Eigen::Vector2d traction(double x, double t) const;  ///< beside -p_c n [Pa]
 

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "reference/derivatives.hpp"
-#include "reference/elastic_sandwich.hpp"
+#include "reference/material.hpp"
+#include "reference/plane_strain_stress.hpp"
 
 namespace crawford::reference {
 

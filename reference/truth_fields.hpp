@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/elastic_sandwich.hpp"
+#include "reference/plane_strain_stress.hpp"
 #include "reference/truth.hpp"
 
 namespace crawford::reference {

@@ -31,8 +31,8 @@ Row row(const ManufacturedBurning& solid, const Eigen::Vector2d& at, double t) {
     const double x = at.x();
     const double y = at.y();
     const Eigen::Vector2d shift = solid.shift(x, y, t);
-    const BurningStress stress = solid.stress(x, y, t);
-    const BurningStress source = solid.stress_source(x, y, t);
+    const PlaneStrainStress stress = solid.stress(x, y, t);
+    const PlaneStrainStress source = solid.stress_source(x, y, t);
     return Row()
         .add(solid.surface(x, t))
         .add(solid.temperature(x, y, t))
@@ -42,12 +42,12 @@ Row row(const ManufacturedBurning& solid, const Eigen::Vector2d& at, double t) {
         .add(Eigen::Vector2d(-shift))
         .add(solid.deformation_gradient(x, y, t))
         .add(solid.velocity_gradient(x, y, t))
-        .add(PlaneStrainStress{stress.s11, stress.s22, stress.s33, stress.s12})
+        .add(stress)
         .add(solid.heat_source(x, y, t))
-        .add(source.s11)
-        .add(source.s22)
-        .add(source.s33)
-        .add(source.s12)
+        .add(source.xx)
+        .add(source.yy)
+        .add(source.zz)
+        .add(source.xy)
         .add(solid.body_force(x, y, t))
         .add(solid.heat_flux(x, t))
         .add(solid.traction(x, t));

@@ -7,6 +7,7 @@
 #include "reference/adiabatic_column.hpp"
 #include "reference/carried_profile.hpp"
 #include "reference/conducting_inclusion.hpp"
+#include "reference/elastic_sandwich.hpp"
 #include "reference/exact_motions.hpp"
 #include "reference/faded_inclusion.hpp"
 #include "reference/manufactured_elastic_body.hpp"

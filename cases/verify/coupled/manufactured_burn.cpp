@@ -59,8 +59,8 @@ Scene scene_of(const ManufacturedBurn& burn) {
     return scene;
 }
 
-PlaneStress plane(const reference::BurningStress& s) {
-    return {s.s11, s.s22, s.s33, s.s12};
+PlaneStress plane(const reference::PlaneStrainStress& s) {
+    return {s.xx, s.yy, s.zz, s.xy};
 }
 
 /// What drives a run that begins at time `start` of the truth [s].
@@ -132,16 +132,16 @@ State exact_state(const Simulation& simulation, const ManufacturedBurning& exact
         return exact.temperature_rate(p.x(), p.y(), t);
     });
     const auto& points = stress_points(simulation.scene().numerics.element);
-    const auto mean = [](const reference::BurningStress& s) { return (s.s11 + s.s22 + s.s33) / 3; };
+    const auto mean = [](const PlaneStress& s) { return (s.s11 + s.s22 + s.s33) / 3; };
     for (size_t k = 0; k < points.size(); ++k)
         fill(state.stress.deviator[k], [&](int i, int j) {
             const Vector p = at.in_cell(i, j, points[k]);
-            const auto s = exact.stress(p.x(), p.y(), t);
+            const PlaneStress s = plane(exact.stress(p.x(), p.y(), t));
             return Deviator{s.s11 - mean(s), s.s22 - mean(s), s.s12};
         });
     fill(state.stress.pressure, [&](int i, int j) {
         const Vector p = at.in_cell(i, j, cell_centre);
-        return -mean(exact.stress(p.x(), p.y(), t));
+        return -mean(plane(exact.stress(p.x(), p.y(), t)));
     });
     return state;
 }
@@ -227,7 +227,7 @@ void compare_cells(reports::Measurement& result, const Simulation& run,
         for (int j = 0; j < grid.rows(); ++j) {
             const Vector p = at.in_cell(i, j, cell_centre);
             const PlaneStress found = run.state().stress.mean(i, j);
-            const auto truth = exact.stress(p.x(), p.y(), time);
+            const PlaneStress truth = plane(exact.stress(p.x(), p.y(), time));
             const double size = grid.height(j);
             s11.add(found.s11, truth.s11, size);
             s22.add(found.s22, truth.s22, size);
