@@ -20,6 +20,7 @@
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/history.hpp"
 #include "solver/run/burn.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/scene/write_scene.hpp"
 
 namespace crawford {

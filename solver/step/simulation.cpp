@@ -106,8 +106,8 @@ struct Simulation::Rooms {
                             of_material);
     }
 
-    /// The state one step after `now`.
-    State advanced(const State& now) {
+    /// The state one step after `now`, at the time `end`.
+    State advanced(const State& now, double end) {
         const double dt = scene.time.step;
         State next;
         if (now.previous) {
@@ -118,7 +118,7 @@ struct Simulation::Rooms {
             advance(next, now, euler_step(now.time, dt));
         }
         next.step = now.step + 1;
-        next.time = dt * double(next.step);
+        next.time = end;
         return next;
     }
 
@@ -220,10 +220,10 @@ Simulation::Simulation(Scene scene, Sources sources)
 
 Simulation::~Simulation() = default;
 
-void Simulation::step() {
+void Simulation::step(double end) {
     State next;
     try {
-        next = rooms_->advanced(rooms_->state);
+        next = rooms_->advanced(rooms_->state, end);
     } catch (const NumericalFailure& failure) {
         rooms_->materials.follow(rooms_->state.surface, rooms_->state.reference_shift);
         throw NumericalFailure(fmt::format("step {} (t = {:.6g} s): {}", rooms_->state.step + 1,

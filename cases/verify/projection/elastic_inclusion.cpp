@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cases/units.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -52,7 +53,7 @@ void measure_inclusion(const Scene& scene, const FadedInclusion& truth, const st
     Simulation simulation(scene, {.body_force = [&](double x, double y, double) {
                               return truth.body_force(x - centre.x(), y - centre.y());
                           }});
-    simulation.step();
+    run_steps(simulation, 1);
     const Grid& grid = simulation.grid();
     const State& state = simulation.state();
     std::vector<double> found, wanted;
