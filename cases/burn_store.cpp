@@ -1,7 +1,6 @@
 #include "cases/burn_store.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <boost/crc.hpp>
 #include <cctype>
@@ -16,10 +15,12 @@
 #include "base/build_info.hpp"
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
+#include "base/scratch.hpp"
 #include "cases/units.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/history.hpp"
 #include "solver/run/burn.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/scene/write_scene.hpp"
 
 namespace crawford {
@@ -30,31 +31,9 @@ namespace fs = std::filesystem;
 
 constexpr auto run_name = "burn";
 
-/// Where burns lie for a request that names no place: gone when the program ends.
-class Scratch {
-public:
-    Scratch() {
-        std::string pattern = (fs::temp_directory_path() / "crawford-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr)
-            throw InputError("cannot make a directory below " + fs::temp_directory_path().string());
-        path_ = pattern;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
-
 fs::path place_of(const fs::path& out) {
     if (!out.empty()) return out / "burns";
-    static const Scratch scratch;
+    static const Scratch scratch;  // gone when the program ends
     return scratch.path();
 }
 

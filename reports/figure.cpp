@@ -1,15 +1,14 @@
 #include "reports/figure.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <system_error>
 
 #include "base/atomic_file.hpp"
 #include "base/process.hpp"
+#include "base/scratch.hpp"
 #include "base/source_tree.hpp"
 
 namespace crawford::reports {
@@ -66,18 +65,6 @@ std::string opening(Format format, PanelSize size, const std::string& output) {
         static_cast<int>(scale * size.height), scale, output);
 }
 
-/// A directory that nobody else has, removed with everything in it when nobody has it any more.
-std::shared_ptr<const fs::path> scratch_directory() {
-    std::string name = (fs::temp_directory_path() / "crawford-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-        throw std::system_error(errno, std::generic_category(), name);
-    return {new fs::path(name), [](const fs::path* directory) {
-                std::error_code ignored;
-                fs::remove_all(*directory, ignored);
-                delete directory;
-            }};
-}
-
 /// gnuplot goes on after these, but a curve that is not there must not pass for a figure.
 bool lacks_data(const std::string& output) {
     return output.find("no valid points") != std::string::npos ||
@@ -102,11 +89,11 @@ fs::path Figure::file(const std::string& suffix) const {
 
 fs::path Figure::numbers(const std::string& table) const {
     const auto name = name_ + "_" + checked(table) + ".csv";
-    return (scratch_ ? *scratch_ : directory_) / name;
+    return (scratch_ ? scratch_->path() : directory_) / name;
 }
 
 Figure& Figure::forget_numbers() {
-    scratch_ = scratch_directory();
+    scratch_ = std::make_shared<const Scratch>();
     return *this;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/scratch.hpp"
 #include "reports/figure_data.hpp"
 
 /// Figures: numbers go to CSV files, a gnuplot script of the case's own draws them in the house
@@ -106,8 +107,8 @@ private:
     std::string name_;
     std::filesystem::path directory_;
     std::filesystem::path script_;
-    std::shared_ptr<const std::filesystem::path> scratch_;  // removed with the last who has it
-    std::map<std::string, std::string> variables_;          // gnuplot name -> gnuplot expression
+    std::shared_ptr<const Scratch> scratch_;        // removed with the last who has it
+    std::map<std::string, std::string> variables_;  // gnuplot name -> gnuplot expression
     std::vector<Panel> panels_;
     std::vector<std::filesystem::path> data_;
 };

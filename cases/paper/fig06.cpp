@@ -34,6 +34,7 @@
 #include "cases/registry.hpp"
 #include "cases/scenes/sandwich.hpp"
 #include "cases/units.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -75,7 +76,7 @@ Scene pressed(int nx, Element element) {
 /// The quantities of one grid, in the right half of the sandwich.
 Refinement::Fields solve(const Scene& scene) {
     Simulation simulation(scene);
-    simulation.step();
+    run_steps(simulation, 1);
     const Grid& grid = simulation.grid();
     const State& state = simulation.state();
     Refinement::Fields fields(4, Lattice<double>(grid.cell_columns(), grid.rows()));

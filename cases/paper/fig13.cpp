@@ -98,7 +98,7 @@ const Registered here{{.name = "fig13",
                        .draw = fig13,
                        .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; },
                        .draw_movie = pack_movie,
-                       .movie_burns = [](Fidelity f) { return std::vector{filmed_pack(f)}; }}};
+                       .movie_burns = [](Fidelity f) { return std::vector{burning_pack(f)}; }}};
 
 }  // namespace
 

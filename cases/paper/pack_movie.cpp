@@ -17,7 +17,7 @@ namespace {
 
 using namespace units;
 
-constexpr double frame_interval = 1.0 * ms;
+constexpr double frame_interval = filmed_every;
 constexpr double below_surface = 100 * um;  // what is shown below the lowest point of all
 constexpr double map_width = 200.0;         // [points]
 constexpr double left = 95.0, pitch = 300.0, foot = 80.0, head = 60.0;
@@ -34,14 +34,8 @@ void add_frame(reports::Figure& figure, const Scene& scene, const Snapshot& snap
 
 }  // namespace
 
-Scene filmed_pack(Fidelity fidelity) {
-    Scene scene = burning_pack(fidelity);
-    scene.output.checkpoint_every = frame_interval;
-    return scene;
-}
-
 Outcome pack_movie(const Request& request) {
-    const Scene scene = filmed_pack(request.fidelity);
+    const Scene scene = burning_pack(request.fidelity);
     const auto burn = kept_burn(scene, request);
     const double bottom = surface_span(burn->last).lowest - below_surface;
 

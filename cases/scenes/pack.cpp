@@ -40,7 +40,8 @@ Scene burning_pack(Fidelity fidelity, const PackBurning& burning) {
     Scene scene = read_scene(source_path("cases/scenes/pack.toml"), overrides);
     for (double& flux : scene.surface.heat_flux) flux *= burning.flux;
     if (burning.flux != 1.0) scene.title += fmt::format(", {:g} times the flux", burning.flux);
-    scene.output = {.checkpoint_every = scene.time.end / checkpoints};
+    const bool filmed = burning.mechanics && burning.flux == 1.0;
+    scene.output = {.checkpoint_every = filmed ? filmed_every : scene.time.end / checkpoints};
     return scene;
 }
 

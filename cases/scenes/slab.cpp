@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/errors.hpp"
 #include "reference/material.hpp"
 #include "reference/slab.hpp"
 #include "solver/mesh/grid.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -164,13 +166,17 @@ reference::SlabConditions Slab::conditions(reference::SlabModel model) const {
 
 SlabProfile burn_to_steady(const Scene& scene, double tolerance) {
     Simulation simulation(scene);
-    double changed = 0.0;
-    while (simulation.state().time < scene.time.end) {
-        const State before = simulation.state();
-        simulation.step();
-        changed = change(before, simulation.state());
-        if (changed <= tolerance) return profile(simulation, before);
-    }
+    State before = simulation.state(), now = before;
+    double changed = std::numeric_limits<double>::infinity();
+    const Stop ended = [&, at_end = at_the_end(simulation)](const Simulation& burning) {
+        return changed <= tolerance || at_end(burning);
+    };
+    const Observer compare = [&](const Simulation& burning, double) {
+        before = std::exchange(now, burning.state());
+        changed = change(before, now);
+    };
+    run_until(simulation, ended, {compare});
+    if (changed <= tolerance) return profile(simulation, before);
     throw NumericalFailure(
         fmt::format("{}: not steady after {} s: the last step changed a value by {:.3g} of the "
                     "largest, limit {:.3g}",

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <iostream>
 #include <utility>
 
@@ -13,15 +12,12 @@
 #include "base/progress.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/manifest.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/run/timing_table.hpp"
 #include "solver/scene/write_scene.hpp"
 
 namespace crawford {
-
-long last_step(const Time& time) {
-    return std::lround(std::ceil(time.end / time.step - 1e-6));
-}
 
 namespace {
 
@@ -74,15 +70,23 @@ private:
         Progress progress(std::cerr, !options_.quiet && stderr_is_terminal(),
                           simulation_.state().step, last_step_);
         const State& state = simulation_.state();
-        while (state.step < last_step_ && !steadiness_.reached()) {
-            const double before = state.time;
-            simulation_.step();
-            const Summary summary = simulation_.summary();
+        Summary summary;
+        const Observer summarise = [&](Simulation& simulation, double) {
+            summary = simulation.summary();
             steadiness_.record(state, summary);
-            recorder.record(simulation_, summary, before, steadiness_.window());
+        };
+        const Observer record = [&](Simulation& simulation, double before) {
+            recorder.record(simulation, summary, before, steadiness_.window());
+        };
+        const Observer show = [&](Simulation&, double) {
             progress.show({state.step, state.time, summary.mean_burn_rate});
             if (options_.progress) options_.progress(double(state.step) / double(last_step_));
-        }
+        };
+        const Stop at_end = at_the_end(simulation_);
+        const Stop ended = [&](const Simulation& simulation) {
+            return at_end(simulation) || steadiness_.reached();
+        };
+        run_until(simulation_, ended, {summarise, record, show});
     }
 
     /// Keeps the last good state and says where.

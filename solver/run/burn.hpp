@@ -12,10 +12,6 @@
 
 namespace crawford {
 
-/// The last step of a run. An end that is no multiple of the step is passed by the least that
-/// covers it.
-long last_step(const Time& time);
-
 struct BurnOptions {
     std::string name;                                   ///< what the files' names begin with
     std::filesystem::path directory;                    ///< where they go; created if missing

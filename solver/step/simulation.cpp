@@ -82,8 +82,8 @@ struct Simulation::Modules {
                             of_material);
     }
 
-    /// The state one step after `now`.
-    State advanced(const State& now) {
+    /// The state one step after `now`, at the time `end`.
+    State advanced(const State& now, double end) {
         const double dt = scene.time.step;
         State next;
         if (now.previous) {
@@ -94,7 +94,7 @@ struct Simulation::Modules {
             advance(next, now, euler_step(now.time, dt));
         }
         next.step = now.step + 1;
-        next.time = dt * double(next.step);
+        next.time = end;
         return next;
     }
 
@@ -191,10 +191,10 @@ Simulation::Simulation(Scene scene, Sources sources)
 
 Simulation::~Simulation() = default;
 
-void Simulation::step() {
+void Simulation::step(double end) {
     State next;
     try {
-        next = modules_->advanced(modules_->state);
+        next = modules_->advanced(modules_->state, end);
     } catch (const NumericalFailure& failure) {
         modules_->materials.follow(modules_->state.surface, modules_->state.reference_shift);
         FailureFields fields = failure.fields();

@@ -33,10 +33,10 @@ public:
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
-    /// Advances the state by one step.
-    /// \throws NumericalFailure naming the step, the module and the place; state() is then still
-    /// the last good one.
-    void step();
+    /// Advances the state by one step of time.step, which ends at `end` [s].
+    /// \throws NumericalFailure naming the step, the module and the place; state() is then still the
+    /// last good one.
+    void step(double end);
 
     /// Goes on from a checkpoint, bit for bit as if never stopped.
     /// \throws InputError if the state's fields or sizes are not those of the scene.

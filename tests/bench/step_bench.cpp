@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/run/loop.hpp"
 #include "solver/scene/read_scene.hpp"
 #include "solver/step/simulation.hpp"
 
@@ -22,9 +23,9 @@ double projection_seconds(const Simulation& simulation) {
 void step(benchmark::State& state, const char* scene, const std::vector<std::string>& overrides) {
     const auto file = std::filesystem::path(CRAWFORD_SOURCE_DIR) / "cases/scenes" / scene;
     Simulation simulation(read_scene(file, overrides));
-    simulation.step();
+    run_steps(simulation, 1);
     const double before = projection_seconds(simulation);
-    for ([[maybe_unused]] auto iteration : state) simulation.step();
+    for ([[maybe_unused]] auto iteration : state) run_steps(simulation, 1);
     state.counters["projection_ms"] = benchmark::Counter(
         1e3 * (projection_seconds(simulation) - before), benchmark::Counter::kAvgIterations);
     state.counters["solver_iterations"] = simulation.summary().solver_iterations;

@@ -3,23 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#include "base/scratch.hpp"
+
 namespace crawford {
 
 class OutputTest : public ::testing::Test {
 protected:
-    void SetUp() override {
-        std::string path = std::filesystem::temp_directory_path() / "crawford-XXXXXX";
-        ASSERT_NE(::mkdtemp(path.data()), nullptr);
-        directory = path;
-    }
-    void TearDown() override { std::filesystem::remove_all(directory); }
-
     static std::string content(const std::filesystem::path& path) {
         std::ifstream file(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
@@ -39,7 +33,8 @@ protected:
         return {};
     }
 
-    std::filesystem::path directory;
+    const Scratch scratch;
+    const std::filesystem::path directory = scratch.path();
 };
 
 }  // namespace crawford

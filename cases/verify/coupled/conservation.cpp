@@ -37,6 +37,7 @@
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
 #include "cases/verify/coupled/balance.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -60,14 +61,14 @@ reports::Measurement measure(Scene scene, int steps) {
     Account all;
     Account last;
     Instant before = look(simulation);
-    for (int k = 0; k < steps; ++k) {
-        simulation.step();
-        const Instant now = look(simulation);
+    const Observer account = [&](const Simulation& burning, double) {
+        const Instant now = look(burning);
         last = {};
         last.add(before, now, scene.time.step);
         all.add(before, now, scene.time.step);
         before = now;
-    }
+    };
+    run_steps(simulation, steps, {account});
     return reports::Measurement(1.0 / steps)
         .value(heat, all.missing / all.in)
         .value(mass, all.unswept / all.burnt)

@@ -1,6 +1,7 @@
 #include "cases/verify/coupled/heated_block.hpp"
 
 #include "cases/units.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -37,12 +38,12 @@ Heating heat_evenly(const Material& material, HeatCapacity capacity, double heat
     };
     Simulation simulation(scene, sources);
     Heating heating;
-    for (int k = 1; k <= steps; ++k) {
-        simulation.step();
-        const double part = double(k) / steps;
+    const Observer note = [&](const Simulation& now, double) {
+        const double part = double(now.state().step) / steps;
         heating.heat.push_back(heat * part * part);
-        heating.temperature.push_back(simulation.state().temperature(0, scene.domain.ny));
-    }
+        heating.temperature.push_back(now.state().temperature(0, scene.domain.ny));
+    };
+    run_steps(simulation, steps, {note});
     return heating;
 }
 

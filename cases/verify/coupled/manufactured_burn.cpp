@@ -4,6 +4,7 @@
 #include "reference/manufactured_burning.hpp"
 #include "solver/element/element.hpp"
 #include "solver/mesh/cell.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -165,7 +166,7 @@ State settled_start(Scene scene, const ManufacturedBurning& exact) {
     Simulation run(scene, sources(exact, before));
     State state = exact_state(run, exact, before);
     run.restore(state);
-    for (int k = 0; k < steps; ++k) run.step();
+    run_steps(run, steps);
     state = run.state();
     state.step = 0;
     state.time = 0.0;
@@ -252,7 +253,7 @@ reports::Measurement run_manufactured(const ManufacturedBurn& burn, double h) {
     const Scene scene = scene_of(burn);
     Simulation run(scene, sources(exact, 0.0));
     run.restore(burn.start == Start::exact ? exact_start(run, exact) : settled_start(scene, exact));
-    for (int k = 0; k < burn.steps; ++k) run.step();
+    run_steps(run, burn.steps);
 
     reports::Measurement result(h);
     const SurfaceField surface = exact_surface(run.grid(), exact, run.state().time);

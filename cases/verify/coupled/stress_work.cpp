@@ -16,6 +16,7 @@
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
 #include "reference/adiabatic_column.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -65,7 +66,7 @@ reports::Measurement run(Scene scene, const Sources& sources, int steps, double 
                          double lateral_stress) {
     scene.time.step = duration / steps;
     Simulation simulation(scene, sources);
-    for (int k = 0; k < steps; ++k) simulation.step();
+    run_steps(simulation, steps);
     const State& state = simulation.state();
     const int top = scene.domain.ny;
     return reports::Measurement(1.0 / steps)

@@ -19,6 +19,7 @@
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
 #include "reference/material.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/scene/read_scene.hpp"
 #include "solver/step/simulation.hpp"
 
@@ -98,14 +99,14 @@ reports::Measurement measure(int columns) {
     double strain = 0.0;
     double largest = 0.0;
     double shear = 0.0;
-    while (simulation.state().time < simulation.scene().time.end) {
-        simulation.step();
-        const double now = largest_strain(simulation);
+    const Observer watch = [&](const Simulation& burning, double) {
+        const double now = largest_strain(burning);
         jump = std::max(jump, std::abs(now - strain));
         strain = now;
         largest = std::max(largest, now);
-        shear = std::max(shear, largest_binder_shear(simulation));
-    }
+        shear = std::max(shear, largest_binder_shear(burning));
+    };
+    run_to_end(simulation, {watch});
     const Burning burning = compare_burning(simulation);
     return reports::Measurement(1.0 / columns)
         .value("nodes that burn in one material", burning.nodes)

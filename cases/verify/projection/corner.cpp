@@ -25,6 +25,7 @@
 #include "cases/units.hpp"
 #include "reference/williams_corner.hpp"
 #include "reports/order.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -53,7 +54,7 @@ public:
     explicit SingularStress(int nx)
         : simulation_(pressed(nx)),
           even_(reference::even_stress(reference::ap(), reference::binder(), pressure)) {
-        simulation_.step();
+        run_steps(simulation_, 1);
     }
 
     /// At a distance r from the corner, in AP, `angle` below the surface.

@@ -4,6 +4,7 @@
 
 #include "cases/units.hpp"
 #include "reference/truth_of.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -54,7 +55,7 @@ void measure_inclusion(const Scene& scene, const FadedInclusion& truth, const st
         return truth.body_force(x - centre.x(), y - centre.y());
     }};
     Simulation simulation(scene, {{}, {}, sources});
-    simulation.step();
+    run_steps(simulation, 1);
     const Grid& grid = simulation.grid();
     const State& state = simulation.state();
     std::vector<Vector> nodes, cells;

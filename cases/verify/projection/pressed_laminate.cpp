@@ -1,5 +1,6 @@
 #include "cases/verify/projection/pressed_laminate.hpp"
 
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford::pressed_laminate {
@@ -57,7 +58,7 @@ Run::Run(const LaminateConditions& laminate, const Scene& scene) {
     State start = simulation.state();
     complete(start.stress, exact, grid);
     simulation.restore(start);
-    simulation.step();
+    run_steps(simulation, 1);
     const State& state = simulation.state();
     axial_strain = state.velocity(0, 1).y() * scene.time.step / grid.height(0);
     for (int i = 0; i < grid.node_columns(); ++i)

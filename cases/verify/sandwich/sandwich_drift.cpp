@@ -10,6 +10,7 @@
 #include "cases/scenes/sandwich.hpp"
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -33,20 +34,19 @@ Scene scene(int columns) {
 /// Burns on and returns the mean burn rate of the stretch; the largest residual seen is kept.
 double mean_rate(Simulation& simulation, int stretch, double& largest_residual) {
     double sum = 0.0;
-    for (int k = 1; k <= stretch; ++k) {
-        simulation.step();
-        if (k % look_every != 0) continue;
+    const int looks = stretch / look_every;
+    for (int k = 0; k < looks; ++k) {
+        run_steps(simulation, look_every);
         const Summary now = simulation.summary();
         sum += now.mean_burn_rate;
         largest_residual = std::max(largest_residual, now.residual);
     }
-    const int looks = stretch / look_every;
     return sum / looks;
 }
 
 reports::Measurement measure(int columns) {
     Simulation simulation(scene(columns));
-    for (int k = 0; k < to_steady; ++k) simulation.step();
+    run_steps(simulation, to_steady);
     double residual = 0.0;
     const double first = mean_rate(simulation, steps / 10, residual);
     mean_rate(simulation, 8 * steps / 10, residual);

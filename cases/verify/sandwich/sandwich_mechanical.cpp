@@ -19,6 +19,7 @@
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
 #include "reference/elastic_sandwich.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -45,7 +46,7 @@ Scene pressed(int nx) {
 /// The whole sandwich after one step, read at nodes and cells.
 class Pressed {
 public:
-    explicit Pressed(int nx) : simulation_(pressed(nx)) { simulation_.step(); }
+    explicit Pressed(int nx) : simulation_(pressed(nx)) { run_steps(simulation_, 1); }
 
     /// Displacement [m] of the node nearest to (x, y).
     Vector displacement(double x, double y) const {

@@ -34,6 +34,7 @@
 #include "cases/units.hpp"
 #include "reference/elastic_sandwich.hpp"
 #include "reference/williams_corner.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -94,7 +95,7 @@ private:
 
 class Pressed {
 public:
-    explicit Pressed(int nx) : simulation_(pressed(nx)) { simulation_.step(); }
+    explicit Pressed(int nx) : simulation_(pressed(nx)) { run_steps(simulation_, 1); }
 
     void compare(reports::Measurement& result) const {
         const reference::ElasticSandwich truth = exact();

@@ -17,6 +17,7 @@
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
 #include "reference/thermal_sandwich.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -60,7 +61,7 @@ Distances distances(const Simulation& run, const reference::ThermalSandwich& tru
 
 reports::Measurement measure(int n) {
     Simulation run(flat(n));
-    while (run.state().time < run.scene().time.end) run.step();
+    run_to_end(run);
     const auto geometry = reference::paper_sandwich();
     const reference::ThermalSandwich truth(geometry, reference::paper_heating());
     const Distances worst = distances(run, truth, geometry.strip);

@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "solver/heat/heat_step.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 #include "tests/solver/scenes.hpp"
 
@@ -28,7 +29,7 @@ double decay_error(int ny, double dt) {
     for (int j = 0; j <= ny; ++j) state.temperature(0, j) = 300.0 + 100.0 * shape(j);
     simulation.restore(state);
     const double end = 0.1;
-    while (simulation.state().time < end - 0.5 * dt) simulation.step();
+    while (simulation.state().time < end - 0.5 * dt) run_steps(simulation, 1);
     const double diffusivity = 0.405 / (1950.0 * 1255.2);
     const double decay = std::exp(-diffusivity * wave_number * wave_number * end);
     double worst = 0.0;
@@ -59,7 +60,7 @@ TEST(Heat, ALongStepFindsTheBurnRateOfAShortOne) {
         scene.surface.heat_flux = {8.368e6};
         scene.time.step = dt;
         Simulation simulation(scene);
-        while (simulation.state().time < 0.4) simulation.step();
+        while (simulation.state().time < 0.4) run_steps(simulation, 1);
         return simulation.summary().mean_burn_rate;
     };
     const double exact = steady_rate(20e-6);
@@ -70,7 +71,7 @@ TEST(Heat, ALevelSurfaceStaysLevelAndASymmetricSandwichSymmetric) {
     Scene scene = testing::sandwich(16, 24);
     scene.physics.mechanics = scene.physics.reference_map = false;
     Simulation simulation(scene);
-    for (int k = 0; k < 300; ++k) simulation.step();
+    for (int k = 0; k < 300; ++k) run_steps(simulation, 1);
     const State& s = simulation.state();
     for (int i = 1; i < 8; ++i)
         EXPECT_NEAR(s.temperature(8 - i, 24), s.temperature(8 + i, 24), 1e-6) << i;
@@ -86,7 +87,7 @@ TEST(Heat, LaggedCouplingBeyondItsLimitIsRefusedAndTheLastGoodStateKept) {
     scene.numerics.coupling = Coupling::lagged;
     Simulation simulation(scene);
     try {
-        for (int k = 0; k < 20000; ++k) simulation.step();
+        for (int k = 0; k < 20000; ++k) run_steps(simulation, 1);
         FAIL() << "lagged coupling beyond g = 1 did not diverge";
     } catch (const NumericalFailure& failure) {
         const std::string said = failure.what();
@@ -101,7 +102,7 @@ TEST(Heat, TheAdiabaticSplitHoldsWhereTheLaggedCouplingDiverges) {
     Material binder = htpb_binder();
     binder.thermal_expansion *= 1.6;
     Simulation simulation(testing::slab(binder, 48));
-    for (int k = 0; k < 20000; ++k) simulation.step();
+    for (int k = 0; k < 20000; ++k) run_steps(simulation, 1);
     EXPECT_GT(simulation.summary().largest_temperature, 500.0);
     EXPECT_LT(simulation.summary().largest_temperature, 1100.0);
 }

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "solver/materials/material_map.hpp"
 #include "solver/materials/strip_overlap.hpp"
+#include "solver/run/loop.hpp"
 #include "solver/step/simulation.hpp"
 #include "tests/solver/scenes.hpp"
 
@@ -153,13 +154,13 @@ TEST(CarriedMorphology, GoesOnFromAStateBitForBit) {
         Scene scene = carried_sandwich();
         scene.time.scheme = scheme;
         Simulation unbroken(scene);
-        for (int k = 0; k < 10; ++k) unbroken.step();
+        for (int k = 0; k < 10; ++k) run_steps(unbroken, 1);
         Simulation restarted(scene);
         restarted.restore(unbroken.state());
         EXPECT_EQ(restarted.material_fraction().values(), unbroken.material_fraction().values());
         for (int k = 0; k < 5; ++k) {
-            unbroken.step();
-            restarted.step();
+            run_steps(unbroken, 1);
+            run_steps(restarted, 1);
         }
         EXPECT_EQ(restarted.state().temperature.values(), unbroken.state().temperature.values());
         EXPECT_EQ(restarted.state().velocity.values(), unbroken.state().velocity.values());
@@ -175,7 +176,7 @@ TEST(CarriedMorphology, AStripTakesItsInterfaceAlong) {
     const int interface = 10;  // the node column at x = 30 um
     const int top = simulation.grid().rows();
     EXPECT_EQ(simulation.material_fraction()(interface - 1, top - 1), 0.0);
-    for (int k = 0; k < 100; ++k) simulation.step();
+    for (int k = 0; k < 100; ++k) run_steps(simulation, 1);
     const NodeVectors& shift = simulation.state().reference_shift;
     const double inward = 0.5 * (shift(interface, top).x() + shift(interface, top - 1).x());
     ASSERT_GT(inward, 0.1e-6);

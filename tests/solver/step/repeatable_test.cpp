@@ -5,6 +5,7 @@
 #include <future>
 #include <vector>
 
+#include "solver/run/loop.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/step/simulation.hpp"
 
@@ -28,7 +29,7 @@ std::vector<Vector> velocities() {
     Simulation simulation(sandwich());
     for (int step = 0; step < 20; ++step) {
         simulation.forget_factorisation();
-        simulation.step();
+        run_steps(simulation, 1);
     }
     return simulation.state().velocity.values();
 }

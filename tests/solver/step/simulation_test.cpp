@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "solver/run/loop.hpp"
 #include "tests/solver/scenes.hpp"
 
 namespace crawford {
@@ -19,12 +20,12 @@ void expect_identical(const State& a, const State& b) {
 TEST(Simulation, GoesOnFromAStateBitForBit) {
     const Scene scene = testing::sandwich(16, 24);
     Simulation unbroken(scene);
-    for (int k = 0; k < 10; ++k) unbroken.step();
+    for (int k = 0; k < 10; ++k) run_steps(unbroken, 1);
     Simulation restarted(scene);
     restarted.restore(unbroken.state());
     for (int k = 0; k < 10; ++k) {
-        unbroken.step();
-        restarted.step();
+        run_steps(unbroken, 1);
+        run_steps(restarted, 1);
     }
     expect_identical(unbroken.state(), restarted.state());
 }
@@ -33,15 +34,15 @@ TEST(Simulation, GoesOnBitForBitWhereTheStepLooksBack) {
     Scene scene = testing::sandwich(16, 24);
     scene.time.scheme = Stepping::bdf2;
     Simulation unbroken(scene);
-    for (int k = 0; k < 5; ++k) unbroken.step();
+    for (int k = 0; k < 5; ++k) run_steps(unbroken, 1);
     ASSERT_TRUE(unbroken.state().previous);
     EXPECT_EQ(unbroken.state().previous->step, 4);
     EXPECT_FALSE(unbroken.state().previous->previous) << "no chain of states";
     Simulation restarted(scene);
     restarted.restore(unbroken.state());
     for (int k = 0; k < 5; ++k) {
-        unbroken.step();
-        restarted.step();
+        run_steps(unbroken, 1);
+        run_steps(restarted, 1);
     }
     expect_identical(unbroken.state(), restarted.state());
 }
@@ -51,7 +52,7 @@ TEST(Simulation, WithOneStepRefusesAStateThatLooksBack) {
     Simulation one_step(scene);
     scene.time.scheme = Stepping::bdf2;
     Simulation two_step(scene);
-    two_step.step();
+    run_steps(two_step, 1);
     EXPECT_THROW(one_step.restore(two_step.state()), InputError);
 }
 
@@ -67,8 +68,8 @@ TEST(Simulation, HalfOfASymmetricSandwichIsHalfOfTheWhole) {
     scene.domain.half = true;
     Simulation half(scene);
     for (int k = 0; k < 150; ++k) {
-        whole.step();
-        half.step();
+        run_steps(whole, 1);
+        run_steps(half, 1);
     }
     // The same discrete equations: only the order of sums and the last sweep of the line relaxation
     // differ.
@@ -99,7 +100,7 @@ TEST(Simulation, StopsWhereTheStepIsBeyondItsLimit) {
     scene.time.step = 2e-3;                                   // and 9 um burnt a step
     Simulation simulation(scene);
     try {
-        simulation.step();
+        run_steps(simulation, 1);
         FAIL() << "the material crossed more than a cell";
     } catch (const NumericalFailure& failure) {
         const std::string said = failure.what();
@@ -123,7 +124,7 @@ TEST(Simulation, NamesTheCellWhoseStressNoNumberHolds) {
     };
     Simulation simulation(scene, sources);
     try {
-        simulation.step();
+        run_steps(simulation, 1);
         FAIL() << "a stress that no number holds went unseen";
     } catch (const NumericalFailure& failure) {
         const std::string said = failure.what();
@@ -142,7 +143,7 @@ TEST(Simulation, HeatsByASourceAsByItsIntegral) {
     scene.time.step = 1e-4;
     Simulation simulation(
         scene, {{.heat = [](double, double, double) { return 1950.0 * 1255.2 * 1e3; }}, {}, {}});
-    for (int k = 0; k < 10; ++k) simulation.step();
+    run_steps(simulation, 10);
     EXPECT_NEAR(simulation.state().temperature(0, 16), 301.0, 1e-6);
 }
 
@@ -153,7 +154,7 @@ TEST(Simulation, ABodyForceHangsOnTheBottom) {
     scene.surface.pressure = 0.0;
     Simulation simulation(
         scene, {{}, {}, {.body_force = [](double, double, double) { return Vector(0.0, -1e9); }}});
-    simulation.step();
+    run_steps(simulation, 1);
     const Grid& grid = simulation.grid();
     for (int j = 0; j < 16; ++j)
         EXPECT_NEAR(simulation.state().stress.mean(0, j).s22,
@@ -166,7 +167,7 @@ TEST(Simulation, AStressSourceRaisesTheStressItIsGivenFor) {
     const PlaneStress source{3e9, 0.0, 3e9, 0.0};  // [Pa/s], in equilibrium as it is
     Simulation simulation(scene,
                           {{}, {.stress = [=](double, double, double) { return source; }}, {}});
-    simulation.step();
+    run_steps(simulation, 1);
     EXPECT_NEAR(simulation.state().stress.mean(0, 8).s11, 3e9 * scene.time.step, 1e-3);
     EXPECT_NEAR(simulation.state().stress.mean(0, 8).s22, 0.0, 1e-3);
 }
