@@ -15,7 +15,10 @@
 #include <numbers>
 
 #include "base/build_info.hpp"
+#include "cases/paper/ledger/evidence.hpp"
 #include "cases/registry.hpp"
+#include "cases/scenes/pack.hpp"
+#include "cases/scenes/sandwich.hpp"
 #include "cases/units.hpp"
 #include "solver/mesh/cell.hpp"
 
@@ -90,7 +93,7 @@ void add_points(reports::Figure& figure, const Grid& grid, const SurfaceField& s
 Outcome fig01(const Request& request) {
     const Grid grid(domain);
     const SurfaceField surface = wave(grid);
-    reports::Figure figure("fig01", request.out, "cases/paper/fig01.gp");
+    reports::Figure figure("fig01", request.out);
     figure.map("uniform", lines(grid, surface, false))
         .map("mapped", lines(grid, surface, true))
         .caption(
@@ -115,12 +118,39 @@ Outcome fig01(const Request& request) {
             {scene}};
 }
 
+/// Height of the cells at the surface of a scene [um].
+double finest_cell(const Scene& scene) {
+    const Grid grid(scene.domain);
+    return grid.height(grid.rows() - 1) / um;
+}
+
+ledger::Rows claims(const ledger::Evidence&) {
+    using namespace reports;
+    return {judged({"finest cell of the sandwich's grid", "sec. 5.1", "fig01", "um", "1.25", 1.25,
+                    half_digit("1.25")},
+                   {finest_cell(burning_sandwich(Fidelity::paper, true)),
+                    ledger::exact,
+                    "eq. 32, c = 2, 96 rows over 480 um",
+                    {},
+                    {},
+                    "{:.3f}"}),
+            judged({"finest cell of the pack's grid", "sec. 5.2", "fig01", "um", "2", 2.0,
+                    half_digit("2")},
+                   {finest_cell(burning_pack(Fidelity::paper)),
+                    ledger::exact,
+                    "eq. 32, c = 2, 96 rows over 720 um",
+                    {},
+                    {},
+                    "{:.3f}"})};
+}
+
 const Registered here{{.name = "fig01",
                        .figure = "Fig. 1",
                        .shows = "the staggered grid below a sloped surface",
                        .physics = {physics::grid},
                        .cost = {.draft = 0.3, .paper = 0.3},
-                       .draw = fig01}};
+                       .draw = fig01,
+                       .claims = claims}};
 
 }  // namespace
 

@@ -130,7 +130,7 @@ constexpr reports::PanelSize panel_size{.width = 480, .height = 460};
 
 Outcome fig02(const Request& request) {
     const Place at = place(request.fidelity);
-    Outcome outcome{reports::Figure("fig02", request.out, "cases/paper/fig02.gp"), {}, {at.scene}};
+    Outcome outcome{reports::Figure("fig02", request.out), {}, {at.scene}};
     outcome.figure.map("hat", hat(at))
         .caption({.grid = grid_text(at.scene), .revision = revision()})
         .set("panel_ratio", double(panel_size.width) / panel_size.height)
