@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.hpp"
 #include "reports/figure.hpp"
+#include "reports/figure_json.hpp"
 #include "reports/record_json.hpp"
 #include "reports/record_store.hpp"
 
