@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/source_tree.hpp"
+
 namespace crawford {
 
 namespace {
@@ -21,8 +23,7 @@ const std::vector<Entry>& catalogue() {
 }
 
 Registered::Registered(Entry entry, const std::filesystem::path& file) {
-    const std::string path = file.generic_string();
-    entry.source = path.substr(path.rfind("cases/"));
+    entry.source = place_in_source_tree(file);
     const auto after = std::ranges::upper_bound(entries(), entry.name, {}, &Entry::name);
     entries().insert(after, std::move(entry));
 }

@@ -14,6 +14,13 @@
 
 namespace crawford {
 
+namespace ledger {
+struct Evidence;
+}
+namespace reports {
+struct LedgerRow;
+}
+
 enum class Fidelity {
     draft,  ///< seconds: coarse, to look at
     paper,  ///< the paper's grid and step
@@ -64,6 +71,9 @@ struct Entry {
     std::function<Outcome(const Request&)> draw_movie = {};
     std::function<std::vector<Scene>(Fidelity)> movie_burns = {};
     std::function<std::vector<reports::Study>()> studies = {};
+    /// The claims of the paper that this case shows, judged by what has been found: rows of the
+    /// ledger, made of records and nothing else (cases/paper/ledger/evidence.hpp).
+    std::function<std::vector<reports::LedgerRow>(const ledger::Evidence&)> claims = {};
     std::filesystem::path source = {};  ///< "cases/<file>.cpp"; filled in when it registers
 };
 

@@ -59,14 +59,22 @@ struct Parser {
         run_command = app.add_subcommand("run", help::run);
         run_command->add_option("CASE", run.cases, "Cases to draw (crawford list)");
         run_command->add_flag("--all", run.all, "Draw every case: 25 minutes at paper");
-        run_command->add_option("--fidelity", run.fidelity, "draft, paper or fine")
-            ->type_name("WORD")
-            ->capture_default_str();
+        auto* const fidelity =
+            run_command->add_option("--fidelity", run.fidelity, "draft, paper or fine")
+                ->type_name("WORD")
+                ->capture_default_str();
         add_out(run_command, run.out, "out")->capture_default_str();
         run_command->add_flag("--again", run.again,
                               "Draw also what is up to date (burns are kept)");
         run_command->add_flag("--movie", run.movie,
                               "Draw the movie of a case, DIR/figures/CASE.gif (fig13 has one)");
+        run_command
+            ->add_flag("--from-records", run.from_records,
+                       "Draw again from DIR/records and the CSV files: burn nothing")
+            ->excludes("--again");
+        run_command->callback([this, fidelity] {
+            if (run.from_records && fidelity->count() == 0) run.fidelity.clear();
+        });
         add_quiet(run_command, run.quiet);
         run_command->footer(help::run_examples);
     }

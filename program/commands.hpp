@@ -27,6 +27,8 @@ struct RunOptions {
     std::filesystem::path out = "out";
     bool again = false;  ///< draw also what is up to date
     bool movie = false;  ///< the movies of the cases
+    bool from_records =
+        false;  ///< draw again what has been drawn, whatever fidelity if it is empty
     bool quiet = false;
 };
 
@@ -72,9 +74,10 @@ struct ListOptions {
 /// The catalogue, on stdout.
 int list(const ListOptions& options);
 
-/// Draws cases that are not up to date, as many at a time as there are cores, and goes on with
-/// burns that were cut off. One that fails stops no other. \throws InputError naming the nearest
-/// case if one is unknown, before anything is computed.
+/// Draws cases that are not up to date, or from_records again what they have left, as many at a
+/// time as there are cores, and goes on with burns that were cut off. One that fails stops no
+/// other. \throws InputError naming the nearest case if one is unknown or has no record, before
+/// anything is computed.
 int run(const RunOptions& options, const CommandLine& command);
 
 /// Writes DIR/figures/ledger.json and its page: settled anew, or as it lies in the source tree.

@@ -1,11 +1,10 @@
 #include "program/figure_record.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
+#include "solver/scene/write_scene.hpp"
 
 namespace crawford {
 
@@ -13,65 +12,81 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path file_of(const fs::path& directory, const std::string& name) {
-    return directory / (name + "_manifest.json");
-}
+constexpr auto fidelity_axis = "fidelity";
 
 std::vector<std::string> names(const std::vector<fs::path>& files) {
     std::vector<std::string> names;
-    for (const auto& file : files) names.push_back(file.filename().string());
+    for (const auto& file : files) names.push_back(file.generic_string());
     return names;
-}
-
-std::vector<fs::path> files(const nlohmann::json& names, const fs::path& directory) {
-    std::vector<fs::path> files;
-    for (const auto& name : names) files.push_back(directory / name.get<std::string>());
-    return files;
 }
 
 }  // namespace
 
-bool FigureRecord::is_of(const std::string& wanted_fidelity) const {
-    const auto exists = [](const fs::path& file) { return fs::exists(file); };
-    return fidelity == wanted_fidelity && sources == source_fingerprint() &&
-           std::ranges::all_of(pictures, exists) && std::ranges::all_of(data, exists);
+reports::RecordStore figure_records(const fs::path& out) {
+    return {out / "records", source_fingerprint()};
 }
 
-void write(const fs::path& directory, const std::string& name, const FigureRecord& record,
-           nlohmann::ordered_json provenance) {
+reports::Setting at_fidelity(const std::string& fidelity) {
+    return reports::Setting().set(fidelity_axis, fidelity);
+}
+
+std::string drawn_at(const reports::Record& record) {
+    return record.setting.has(fidelity_axis) ? record.setting.word(fidelity_axis) : std::string();
+}
+
+std::optional<reports::Record> drawn_record(reports::RecordStore& store, const std::string& name) {
+    auto record = store.newest(name);
+    if (record && record->ending.is_done() && record->figure) return record;
+    return {};
+}
+
+std::vector<Finding> findings_of(const reports::Record& record) {
+    std::vector<Finding> findings;
+    for (const auto& [what, amount] : record.found->values())
+        findings.push_back({what, amount.value, amount.unit});
+    return findings;
+}
+
+void fill(reports::Record& record, const Outcome& outcome) {
+    record.found = reports::Measurement();
+    for (const Finding& finding : outcome.findings)
+        record.found->value(finding.what, reports::Amount{finding.value, finding.unit});
+    for (const Scene& scene : outcome.scenes) record.scenes.push_back(to_toml(scene));
+    record.figure = outcome.figure.contents();
+}
+
+fs::path manifest_of(const fs::path& figures, const std::string& name) {
+    return figures / (name + "_manifest.json");
+}
+
+std::vector<fs::path> missing_data(const reports::Record& record, const fs::path& figures) {
+    std::vector<fs::path> missing;
+    for (const fs::path& file : record.figure->data())
+        if (!fs::exists(figures / file)) missing.push_back(figures / file);
+    return missing;
+}
+
+bool has_all_files(const reports::Record& record, const fs::path& figures) {
+    const auto exists = [&](const fs::path& file) { return fs::exists(figures / file); };
+    return missing_data(record, figures).empty() &&
+           std::ranges::all_of(record.figure->pictures(), exists) &&
+           fs::exists(manifest_of(figures, record.experiment));
+}
+
+void write_manifest(const fs::path& figures, const reports::Record& record,
+                    nlohmann::ordered_json provenance) {
     auto& json = provenance;
-    json["source_fingerprint"] = source_fingerprint();
-    json["case"] = name;
-    json["fidelity"] = record.fidelity;
-    json["wall_seconds"] = record.seconds;
+    json["source_fingerprint"] = record.fingerprint;
+    json["case"] = record.experiment;
+    json["fidelity"] = drawn_at(record);
+    json["wall_seconds"] = record.cost.wall_seconds;
     auto& findings = json["findings"] = nlohmann::ordered_json::array();
-    for (const Finding& f : record.findings)
+    for (const Finding& f : findings_of(record))
         findings.push_back({{"what", f.what}, {"value", f.value}, {"unit", f.unit}});
-    json["pictures"] = names(record.pictures);
-    json["data"] = names(record.data);
+    json["pictures"] = names(record.figure->pictures());
+    json["data"] = names(record.figure->data());
     json["scenes"] = record.scenes;
-    write_file(file_of(directory, name), json.dump(2) + '\n');
-}
-
-std::optional<FigureRecord> read_figure_record(const fs::path& directory, const std::string& name) {
-    std::ifstream file(file_of(directory, name));
-    const auto json = nlohmann::json::parse(file, nullptr, false);
-    try {
-        FigureRecord record{.fidelity = json.at("fidelity"),
-                            .seconds = json.at("wall_seconds"),
-                            .pictures = files(json.at("pictures"), directory),
-                            .data = files(json.at("data"), directory),
-                            .scenes = json.at("scenes"),
-                            .sources = json.at("source_fingerprint")};
-        for (const auto& f : json.at("findings")) {
-            const auto& value = f.at("value");  // null where it is not a number
-            record.findings.push_back(
-                {f.at("what"), value.is_null() ? std::nan("") : value.get<double>(), f.at("unit")});
-        }
-        return record;
-    } catch (const nlohmann::json::exception&) {
-        return {};
-    }
+    write_file(manifest_of(figures, record.experiment), json.dump(2) + '\n');
 }
 
 }  // namespace crawford

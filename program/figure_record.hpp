@@ -1,4 +1,4 @@
-/// What is kept beside a figure, <case>_manifest.json, and tells whether it must be drawn anew.
+/// What a drawn case leaves: its record in DIR/records and, beside the pictures, its manifest.
 #pragma once
 
 #include <filesystem>
@@ -8,28 +8,35 @@
 #include <vector>
 
 #include "cases/registry.hpp"
+#include "reports/record_store.hpp"
 
 namespace crawford {
 
-struct FigureRecord {
-    std::string fidelity;
-    double seconds = 0.0;  ///< that drawing took, without burns that were there
-    std::vector<Finding> findings = {};
-    std::vector<std::filesystem::path> pictures = {};
-    std::vector<std::filesystem::path> data = {};  ///< the numbers behind them
-    std::vector<std::string> scenes = {};          ///< TOML
-    std::string sources = {};                      ///< source_fingerprint() of the program
+/// The records of figures and of what the ledger rests on: known by all sources they are made of.
+reports::RecordStore figure_records(const std::filesystem::path& out);
 
-    /// Whether this program would draw the same at this fidelity, and all files are there.
-    bool is_of(const std::string& wanted_fidelity) const;
-};
+/// How a case is drawn: "draft", "paper" or "fine".
+reports::Setting at_fidelity(const std::string& fidelity);
+/// How it has been drawn.
+std::string drawn_at(const reports::Record& record);
 
-/// Writes `directory`/<name>_manifest.json: where it comes from (`provenance`), then the record.
-void write(const std::filesystem::path& directory, const std::string& name,
-           const FigureRecord& record, nlohmann::ordered_json provenance);
+/// The record that the pictures of a case are of, if its last drawing has been done.
+std::optional<reports::Record> drawn_record(reports::RecordStore& store, const std::string& name);
 
-/// Nothing if there is none or it cannot be understood: the figure is then drawn anew.
-std::optional<FigureRecord> read_figure_record(const std::filesystem::path& directory,
-                                               const std::string& name);
+std::vector<Finding> findings_of(const reports::Record& record);
+/// Puts what a case hands back into its record.
+void fill(reports::Record& record, const Outcome& outcome);
+
+/// `figures`/<name>_manifest.json.
+std::filesystem::path manifest_of(const std::filesystem::path& figures, const std::string& name);
+
+/// Files of the figure that are missing: those of numbers; pictures and manifest.
+std::vector<std::filesystem::path> missing_data(const reports::Record& record,
+                                                const std::filesystem::path& figures);
+bool has_all_files(const reports::Record& record, const std::filesystem::path& figures);
+
+/// Writes the manifest: where the figure comes from (`provenance`), then what the record says.
+void write_manifest(const std::filesystem::path& figures, const reports::Record& record,
+                    nlohmann::ordered_json provenance);
 
 }  // namespace crawford

@@ -25,7 +25,8 @@ draft takes seconds and is to look at, paper has the grid and step of the paper,
 Examples:
   crawford run fig03 fig04
   crawford run fig07 fig10 fig11 --fidelity draft --out out/draft
-  crawford run fig13 --movie                      the pack burns down, as a GIF)";
+  crawford run fig13 --movie                      the pack burns down, as a GIF
+  crawford run fig07 --from-records               after a change of fig07.gp: burns nothing)";
 
 inline constexpr auto ledger = "Set the claims of the paper beside what is found here";
 
@@ -60,7 +61,7 @@ inline constexpr auto report = "Write the pages anew: figures, ledger, verificat
 inline constexpr auto report_examples = R"(
 Computes nothing: makes of what lies in DIR what is there to make of it.
 
-  DIR/figures/*_manifest.json   a page for each case that has been drawn, and figures/index.html
+  DIR/records/CASE.jsonl        a page for each case that has been drawn, and figures/index.html
   DIR/figures/ledger.json       figures/ledger.html
   DIR/verify/verify.json        verify/report.html
   DIR/verify.json               report.html

@@ -6,9 +6,10 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/file_lock.hpp"
 #include "base/source_tree.hpp"
-#include "cases/burn_store.hpp"
 #include "cases/paper/ledger/ledger.hpp"
 #include "program/burning.hpp"
 #include "program/choose.hpp"
@@ -18,7 +19,6 @@
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
 #include "program/queue.hpp"
-#include "reports/figure.hpp"
 
 namespace crawford {
 
@@ -35,34 +35,89 @@ reports::Ledger settled_before() {
     }
 }
 
-double found(const std::filesystem::path& figures, const std::string& entry,
-             const std::string& what) {
-    const auto record = read_figure_record(figures, entry);
-    if (record)
-        for (const Finding& finding : record->findings)
-            if (finding.what == what) return finding.value;
-    throw std::logic_error(fmt::format("{} has not found \"{}\"", entry, what));
+void draw_claiming_cases(const LedgerOptions& options, const CommandLine& command) {
+    RunOptions drawing{
+        .cases = {}, .fidelity = options.fidelity, .out = options.out, .quiet = options.quiet};
+    for (const Entry* entry : ledger::claiming_cases()) drawing.cases.push_back(entry->name);
+    if (run(drawing, command) != exit_code::done)
+        throw NumericalFailure("a case that the ledger cites could not be drawn");
+}
+
+/// Makes what has no record yet: first the burns, which runs share, then the runs, which look at
+/// them.
+class Runs {
+public:
+    Runs(Fidelity fidelity, const LedgerOptions& options, reports::RecordStore& store)
+        : fidelity_(fidelity), out_(options.out), store_(store), narrator_(options.quiet) {}
+
+    void make_missing() {
+        const FileLock lock(out_ / "records" / ".ledger.lock",
+                            [this] { narrator_.say("waiting for another ledger"); });
+        std::vector<ledger::Run> missing;
+        for (const ledger::Run& run : ledger::runs(fidelity_))
+            if (!store_.find(run.experiment, run.setting)) missing.push_back(run);
+        run_told(burns_of(missing), narrator_, [this](const Job& job, const std::exception_ptr&) {
+            narrator_.say(job.name + " failed: its reading has no numbers");
+        });
+        std::exception_ptr cannot_keep;
+        run_told(jobs_of(missing), narrator_,
+                 [&](const Job&, const std::exception_ptr& problem) { cannot_keep = problem; });
+        if (cannot_keep) std::rethrow_exception(cannot_keep);
+    }
+
+private:
+    std::vector<Job> burns_of(const std::vector<ledger::Run>& runs) const {
+        std::vector<Scene> scenes;
+        for (const ledger::Run& run : runs)
+            scenes.insert(scenes.end(), run.scenes.begin(), run.scenes.end());
+        return burnings(scenes, fidelity_, out_);
+    }
+
+    std::vector<Job> jobs_of(const std::vector<ledger::Run>& runs) {
+        std::vector<Job> jobs;
+        for (const ledger::Run& run : runs)
+            jobs.push_back({run.experiment + ": " + run.setting.text(), 1.0,
+                            [this, &run](const Job::Progress&) { make(run); }});
+        return jobs;
+    }
+
+    void make(const ledger::Run& run) {
+        store_.add(reports::record_of(run.experiment, run.setting, [&](const reports::Setting&) {
+            return run.measure({.fidelity = fidelity_, .out = out_, .progress = {}});
+        }));
+    }
+
+    Fidelity fidelity_;
+    std::filesystem::path out_;
+    reports::RecordStore& store_;
+    Narrator narrator_;
+};
+
+reports::Record record_of(reports::RecordStore& store, const ledger::Run& run) {
+    const auto record = store.newest(run.experiment, run.setting);
+    if (!record) throw std::logic_error(run.experiment + " has no record of " + run.setting.text());
+    return *record;
+}
+
+double found(reports::RecordStore& store, const std::string& entry, const std::string& what) {
+    const auto record = drawn_record(store, entry);
+    const auto value = record ? record->found->value_of(what) : std::nullopt;
+    if (!value) throw std::logic_error(fmt::format("{} has not found \"{}\"", entry, what));
+    return *value;
 }
 
 reports::Ledger settle(const LedgerOptions& options, const CommandLine& command) {
     const auto started = Clock::now();
     const Fidelity fidelity = fidelity_of(options.fidelity);
-    if (run({.cases = ledger::cited_cases(),
-             .fidelity = options.fidelity,
-             .out = options.out,
-             .quiet = options.quiet},
-            command) != exit_code::done)
-        throw NumericalFailure("a case that the ledger cites could not be drawn");
-
-    Narrator narrator(options.quiet);
-    run_told(burnings(ledger::scenes(fidelity), fidelity, options.out), narrator,
-             [&](const Job& job, const std::exception_ptr&) {
-                 narrator.say(job.name + " failed: its reading has no numbers");
-             });
-    auto settled = ledger::settle({.fidelity = fidelity, .out = options.out, .progress = {}},
-                                  [&](const std::string& entry, const std::string& what) {
-                                      return found(options.out / "figures", entry, what);
-                                  });
+    draw_claiming_cases(options, command);
+    prepare_directory(options.out / "records");
+    auto store = figure_records(options.out);
+    Runs(fidelity, options, store).make_missing();
+    auto settled = ledger::judged(
+        fidelity, [&](const ledger::Run& run) { return record_of(store, run); },
+        [&](const std::string& entry, const std::string& what) {
+            return found(store, entry, what);
+        });
     settled.manifest = provenance(command);
     settled.manifest["fidelity"] = options.fidelity;
     settled.manifest["wall_seconds"] =

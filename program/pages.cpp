@@ -31,14 +31,15 @@ using Json = nlohmann::ordered_json;
 
 std::vector<std::string> names(const std::vector<fs::path>& files) {
     std::vector<std::string> names;
-    for (const fs::path& file : files) names.push_back(file.filename().string());
+    for (const fs::path& file : files) names.push_back(file.string());
     return names;
 }
 
-/// What the page does not show in a section of its own.
-Json rest_of_manifest(const fs::path& directory, const std::string& name) {
-    std::ifstream file(directory / (name + "_manifest.json"));
-    auto manifest = Json::parse(file);
+/// What the page does not show in a section of its own; empty if there is no manifest.
+Json rest_of_manifest(const fs::path& figures, const std::string& name) {
+    std::ifstream file(manifest_of(figures, name));
+    auto manifest = Json::parse(file, nullptr, false);
+    if (!manifest.is_object()) return Json::object();
     for (const char* shown : {"findings", "scenes", "pictures", "data"}) manifest.erase(shown);
     return manifest;
 }
@@ -55,24 +56,27 @@ double cost_of(const Entry& entry, const std::string& fidelity) {
 
 /// Nothing if it has not been drawn.
 std::optional<page::DrawnCase> drawn(const Entry& entry, const fs::path& out) {
-    const auto record = read_figure_record(out / "figures", entry.name);
+    auto store = figure_records(out);
+    const auto record = drawn_record(store, entry.name);
     if (!record) return {};
+    const auto fidelity = drawn_at(*record);
     page::DrawnCase drawn{.name = entry.name,
                           .figure = entry.figure,
                           .shows = entry.shows,
                           .physics = physics_of(entry),
                           .prose = opening_comment_of(entry),
                           .source = entry.source.string(),
-                          .command = command_of(entry, record->fidelity, out),
-                          .fidelity = record->fidelity,
-                          .seconds = cost_of(entry, record->fidelity),
-                          .pictures = names(record->pictures),
-                          .data = names(record->data),
+                          .command = command_of(entry, fidelity, out),
+                          .fidelity = fidelity,
+                          .seconds = cost_of(entry, fidelity),
+                          .pictures = names(record->figure->pictures()),
+                          .data = names(record->figure->data()),
                           .scenes = record->scenes,
                           .manifest = rest_of_manifest(out / "figures", entry.name)};
-    if (const auto movie = read_figure_record(out / "figures", movie_name(entry)))
-        for (const std::string& name : names(movie->pictures)) drawn.pictures.push_back(name);
-    for (const Finding& finding : record->findings)
+    if (const auto movie = drawn_record(store, movie_name(entry)))
+        for (const std::string& name : names(movie->figure->pictures()))
+            drawn.pictures.push_back(name);
+    for (const Finding& finding : findings_of(*record))
         drawn.findings.push_back({finding.what, finding.value, finding.unit});
     return drawn;
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -9,7 +8,6 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
-#include "cases/burn_store.hpp"
 #include "program/burning.hpp"
 #include "program/choose.hpp"
 #include "program/commands.hpp"
@@ -20,27 +18,21 @@
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
 #include "program/queue.hpp"
-#include "solver/scene/write_scene.hpp"
 
 namespace crawford {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Draws cases: first the burns that they share and those that need none, side by side, then those
-/// that look at the burns.
+/// that look at the burns. Or draws them again from what they have left, and burns nothing.
 class Run {
 public:
     Run(const RunOptions& options, const CommandLine& command)
         : options_(options),
           command_(command),
-          fidelity_(fidelity_of(options.fidelity)),
+          records_(figure_records(options.out)),
           narrator_(options.quiet) {
         if (options.movie) {
             movies_ = choose_movies(options.cases);
@@ -50,6 +42,7 @@ public:
         }
         if (chosen_.empty())
             throw InputError("no case is named; crawford list shows them, --all draws them all");
+        if (!options.from_records) fidelity_ = fidelity_of(options.fidelity);
         prepare_directory(figures());
     }
 
@@ -58,12 +51,10 @@ public:
             narrator_.say("waiting for another run that draws into " + figures().string());
         });
         remove_halves(figures());
-        std::erase_if(chosen_, [this](const Entry* entry) { return is_up_to_date(*entry); });
-        const auto failed = [this](const Job& job, const std::exception_ptr& failure) {
-            tell_failure(job.name, failure);
-        };
-        run_told(burns_and_plain_cases(), narrator_, failed);
-        run_told(cases_of_burns(), narrator_, failed);
+        if (options_.from_records)
+            draw_again();
+        else
+            draw_what_is_missing();
         write_figure_pages(options_.out);
         return worst_;
     }
@@ -71,9 +62,20 @@ public:
 private:
     fs::path figures() const { return options_.out / "figures"; }
 
+    void draw_what_is_missing() {
+        std::erase_if(chosen_, [this](const Entry* entry) { return is_up_to_date(*entry); });
+        const auto failed = [this](const Job& job, const std::exception_ptr& failure) {
+            tell_failure(job.name, failure);
+        };
+        run_told(burns_and_plain_cases(), narrator_, failed);
+        run_told(cases_of_burns(), narrator_, failed);
+    }
+
     bool is_up_to_date(const Entry& entry) {
-        const auto record = read_figure_record(figures(), entry.name);
-        if (options_.again || !record || !record->is_of(options_.fidelity)) return false;
+        const auto record = drawn_record(records_, entry.name);
+        if (options_.again || !record || record->fingerprint != records_.fingerprint() ||
+            drawn_at(*record) != options_.fidelity || !has_all_files(*record, figures()))
+            return false;
         narrator_.say(fmt::format("{}: up to date", entry.name));
         tell(entry, *record);
         return true;
@@ -104,31 +106,74 @@ private:
                 [this, &entry](const Job::Progress& progress) { draw(entry, progress); }};
     }
 
+    /// The old record goes first: its numbers are about to be written over. The new one comes last,
+    /// so that where there is a record, all files are those it tells of.
     void draw(const Entry& entry, const Job::Progress& progress) {
-        const auto start = Clock::now();
-        const Outcome outcome =
-            entry.draw({.fidelity = fidelity_,
-                        .out = options_.out,
-                        .progress = [&](const std::string&, double done) { progress(done); }});
-        FigureRecord record{.fidelity = options_.fidelity,
-                            .findings = outcome.findings,
-                            .pictures = outcome.figure.draw(),
-                            .data = outcome.figure.data()};
-        for (const Scene& scene : outcome.scenes) record.scenes.push_back(to_toml(scene));
-        record.seconds = seconds_since(start);
-        write(figures(), entry.name, record, provenance(command_));
+        records_.forget(entry.name);
+        std::exception_ptr problem;
+        reports::Record record = reports::record_of(
+            entry.name, at_fidelity(options_.fidelity), [&](reports::Record& found) {
+                try {
+                    const Outcome outcome = entry.draw(request(progress));
+                    outcome.figure.draw();
+                    fill(found, outcome);
+                } catch (...) {
+                    problem = std::current_exception();
+                    throw;
+                }
+            });
+        record.fingerprint = records_.fingerprint();
+        if (!problem) write_manifest(figures(), record, provenance(command_));
+        records_.add(record);
+        if (problem) std::rethrow_exception(problem);
         tell(entry, record);
     }
 
-    void tell(const Entry& entry, const FigureRecord& record) {
+    Request request(const Job::Progress& progress) const {
+        return {.fidelity = fidelity_,
+                .out = options_.out,
+                .progress = [&progress](const std::string&, double done) { progress(done); }};
+    }
+
+    void draw_again() {
+        std::vector<reports::Record> records;
+        for (const Entry* entry : chosen_) records.push_back(redrawable(*entry));
+        for (size_t k = 0; k < chosen_.size(); ++k) {
+            reports::draw(*records[k].figure, fs::absolute(figures()));
+            if (!fs::exists(manifest_of(figures(), chosen_[k]->name)))
+                write_manifest(figures(), records[k], provenance(command_));
+            tell(*chosen_[k], records[k]);
+        }
+    }
+
+    /// \throws InputError if there is none, saying what to do.
+    reports::Record redrawable(const Entry& entry) {
+        const auto record = drawn_record(records_, entry.name);
+        const auto refuse = [&](const std::string& why) {
+            throw InputError(
+                fmt::format("{}: {}; draw it first, without --from-records", entry.name, why));
+        };
+        const auto place = options_.out / "records" / reports::record_file_name(entry.name);
+        if (!record) refuse(fmt::format("no record of a drawing in {}", place.string()));
+        if (!options_.fidelity.empty() && drawn_at(*record) != options_.fidelity)
+            refuse(fmt::format("the record is of fidelity {}, not {}", drawn_at(*record),
+                               options_.fidelity));
+        if (!record->figure->keeps_numbers) refuse("the numbers of a movie are not kept beside it");
+        if (const auto missing = missing_data(*record, figures()); !missing.empty())
+            refuse(missing.front().string() + " is gone");
+        return *record;
+    }
+
+    void tell(const Entry& entry, const reports::Record& record) {
         const std::scoped_lock lock(mutex_);
         narrator_.wipe();
         std::cout << fmt::format("{}: {}\n", entry.figure == "-" ? entry.name : entry.figure,
                                  entry.shows);
-        for (const Finding& finding : record.findings)
+        for (const Finding& finding : findings_of(record))
             std::cout << fmt::format("  {:<58} {:>12.6g} {}\n", finding.what, finding.value,
                                      finding.unit);
-        for (const auto& picture : record.pictures) std::cout << "  " << picture.string() << '\n';
+        for (const auto& picture : record.figure->pictures())
+            std::cout << "  " << fs::absolute(figures() / picture).string() << '\n';
     }
 
     void tell_failure(const std::string& name, std::exception_ptr exception) {
@@ -139,7 +184,8 @@ private:
 
     const RunOptions& options_;
     const CommandLine& command_;
-    Fidelity fidelity_;
+    Fidelity fidelity_ = Fidelity::paper;
+    reports::RecordStore records_;
     Narrator narrator_;
     std::vector<Entry> movies_;
     std::vector<const Entry*> chosen_;

@@ -1,50 +1,30 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/scratch.hpp"
+#include "reports/draw_figure.hpp"
 #include "reports/figure_data.hpp"
 
 /// Figures: numbers go to CSV files, a gnuplot script of the case's own draws them in the house
 /// style.
 ///
-///     Figure("fig03", out, "cases/paper/fig03.gp")
+///     Figure("fig03", out)
 ///         .table("solver", {{"depth", "um", y}, {"temperature", "K", T}})
 ///         .set("surface_temperature", T.back())
 ///         .caption({.grid = "1 x 128", .step = "steady", .revision = revision})
 ///         .panel("a").panel("b")
 ///         .draw();
 ///
-/// and in cases/paper/fig03.gp, which knows each table as data_<name>, each panel as panel_<name>,
-/// and every set() variable:
+/// and beside the case, in fig03.gp, which knows each table as data_<name>, each panel as
+/// panel_<name>, and every set() variable:
 ///
 ///     @panel_a
 ///     plot data_solver using 1:2 with points title 'solver'
 namespace crawford::reports {
-
-/// gnuplot could not draw; what() names the figure and the script and carries gnuplot's own
-/// message.
-class FigureFailed : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
-
-enum class Format {
-    svg,  ///< For lines
-    png,  ///< For maps
-    gif,  ///< A movie, played again and again: every plot or multiplot of the panel is a frame
-};
-
-/// Size of a panel, in points of the style's type (11 to the text).
-struct PanelSize {
-    int width = 640;
-    int height = 440;
-};
 
 /// What the small print under a figure must say. Empty entries are left out.
 struct Caption {
@@ -54,14 +34,18 @@ struct Caption {
     std::string note = {};
 };
 
+/// The gnuplot script of a source file, beside it and named as it is.
+std::filesystem::path script_of(const std::filesystem::path& source);
+
+/// Fills a FigureContents and writes its numbers.
 class Figure {
 public:
-    /// Writes to `out`/figures. A relative script is found from the source tree, wherever the
-    /// program is run.
-    /// \throws std::invalid_argument if the name is not letters, digits and '_' only, as for every
-    /// name below.
+    /// Writes to `out`/figures. The script is that of the file which calls this, if none is named;
+    /// a relative one is found from the source tree, wherever the program is run. \throws
+    /// std::invalid_argument if the name is not letters, digits and '_' only, as for every name
+    /// below.
     Figure(const std::string& name, const std::filesystem::path& out,
-           const std::filesystem::path& script);
+           const std::filesystem::path& script = script_of(__builtin_FILE()));
 
     /// Numbers as CSV beside the figure, <figure>_<table>.csv.
     /// \throws std::invalid_argument if columns differ in length
@@ -74,6 +58,7 @@ public:
     Figure& forget_numbers();
     /// A variable of the script.
     Figure& set(const std::string& name, double value);
+    /// \throws std::invalid_argument if there is a control character in the text.
     Figure& set(const std::string& name, const std::string& text);
     Figure& caption(const Caption& caption);
     /// Adds <figure><panel>.svg or .png, @panel_<panel> in the script.
@@ -84,33 +69,18 @@ public:
     /// \throws std::invalid_argument if there is another.
     Figure& panel(Format format, PanelSize size = {});
 
-    /// Runs gnuplot. All panels appear under their names together, or none does.
-    /// \throws FigureFailed if gnuplot is missing or fails, finds a table without points, or draws
-    /// no picture.
+    /// \returns the pictures. \throws as reports::draw
     std::vector<std::filesystem::path> draw() const;
 
-    /// The numbers written so far and kept, as files.
-    const std::vector<std::filesystem::path>& data() const { return data_; }
+    const FigureContents& contents() const { return contents_; }
 
 private:
-    struct Panel {
-        std::string name;  ///< empty if it is the only one
-        Format format;
-        PanelSize size;
-    };
     Figure& add(const Panel& panel);
-    std::string prelude(const std::vector<Panel>& panels,
-                        const std::vector<std::filesystem::path>& outputs) const;
-    std::filesystem::path file(const std::string& suffix) const;
-    std::filesystem::path numbers(const std::string& table) const;
+    Figure& add(const std::string& table, Table::Kind kind, const std::string& numbers);
 
-    std::string name_;
+    FigureContents contents_;
     std::filesystem::path directory_;
-    std::filesystem::path script_;
-    std::shared_ptr<const Scratch> scratch_;        // removed with the last who has it
-    std::map<std::string, std::string> variables_;  // gnuplot name -> gnuplot expression
-    std::vector<Panel> panels_;
-    std::vector<std::filesystem::path> data_;
+    std::shared_ptr<const Scratch> scratch_;  // removed with the last who has it
 };
 
 }  // namespace crawford::reports

@@ -1,5 +1,6 @@
 #include "reports/measurement.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace crawford::reports {
@@ -28,7 +29,15 @@ Measurement& Measurement::error(const std::string& quantity, Norm norm, double e
 }
 
 Measurement& Measurement::value(const std::string& quantity, double value) {
-    values_[quantity] = value;
+    return this->value(quantity, Amount{value, {}});
+}
+
+Measurement& Measurement::value(const std::string& quantity, const Amount& value) {
+    const auto at = std::ranges::find(values_, quantity, [](const auto& v) { return v.first; });
+    if (at == values_.end())
+        values_.emplace_back(quantity, value);
+    else
+        at->second = value;
     return *this;
 }
 
@@ -47,7 +56,9 @@ std::optional<ErrorAndScale> Measurement::error_of(const std::string& quantity, 
 }
 
 std::optional<double> Measurement::value_of(const std::string& quantity) const {
-    return found(values_, quantity);
+    const auto at = std::ranges::find(values_, quantity, [](const auto& v) { return v.first; });
+    if (at == values_.end()) return {};
+    return at->second.value;
 }
 
 std::optional<Sample> Measurement::sample_of(const std::string& quantity) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "reports/norm.hpp"
+#include "reports/setting.hpp"
 
 namespace crawford::reports {
 
@@ -24,12 +26,14 @@ struct Sample {
     std::vector<double> weights;  ///< Empty: all alike
 };
 
-/// What one grid of a study has shown: errors against a truth, plain values, samples to compare
+/// What one run has found: errors against a truth, plain values, samples to compare
 /// between grids.
 class Measurement {
 public:
     /// `h` is the cell size that orders are read against, any unit.
     explicit Measurement(double h) : h_(h) {}
+    /// Of a run that no order is read from: its h is NaN.
+    Measurement() : h_(std::numeric_limits<double>::quiet_NaN()) {}
 
     /// The error of a field in L1, L2, Linf and the paper's norm.
     /// \throws std::invalid_argument \see distance
@@ -39,6 +43,8 @@ public:
     Measurement& error(const std::string& quantity, Norm norm, double error, double scale = 1.0);
     /// A single number, for bounds and for successive differences.
     Measurement& value(const std::string& quantity, double value);
+    /// The same with its unit.
+    Measurement& value(const std::string& quantity, const Amount& value);
     /// A single number with a truth: its error is gated with Norm::magnitude.
     Measurement& value(const std::string& quantity, double value, double truth);
     /// Values at common points, for gates on successive differences.
@@ -46,7 +52,8 @@ public:
 
     double h() const { return h_; }
     const std::map<std::pair<std::string, Norm>, ErrorAndScale>& errors() const { return errors_; }
-    const std::map<std::string, double>& values() const { return values_; }
+    /// Plain values in the order in which they were given; without a unit it is empty.
+    const std::vector<std::pair<std::string, Amount>>& values() const { return values_; }
     const std::map<std::string, Sample>& samples() const { return samples_; }
     std::optional<ErrorAndScale> error_of(const std::string& quantity, Norm norm) const;
     std::optional<double> value_of(const std::string& quantity) const;
@@ -56,7 +63,7 @@ public:
 private:
     double h_;
     std::map<std::pair<std::string, Norm>, ErrorAndScale> errors_;
-    std::map<std::string, double> values_;
+    std::vector<std::pair<std::string, Amount>> values_;
     std::map<std::string, Sample> samples_;
 };
 

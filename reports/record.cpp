@@ -50,11 +50,16 @@ Ending ending_of(const std::exception_ptr& problem) {
 
 Record record_of(const std::string& experiment, const Setting& setting,
                  const std::function<Measurement(const Setting&)>& measure) {
+    return record_of(experiment, setting, [&](Record& record) { record.found = measure(setting); });
+}
+
+Record record_of(const std::string& experiment, const Setting& setting,
+                 const std::function<void(Record&)>& run) {
     const auto start = std::chrono::steady_clock::now();
     const double cpu = seconds_of_this_thread();
     Record record{.experiment = experiment, .setting = setting, .found = {}};
     try {
-        record.found = measure(setting);
+        run(record);
     } catch (...) {
         record.ending = ending_of(std::current_exception());
     }

@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "reports/figure_contents.hpp"
 #include "reports/measurement.hpp"
 #include "reports/setting.hpp"
 
@@ -46,11 +48,17 @@ struct Record {
     std::optional<Measurement> found;  ///< where the run is done
     Cost cost = {};
     Ending ending = {};
-    std::string fingerprint = {};  ///< of what the answer depends on besides the setting
+    std::string fingerprint = {};          ///< of what the answer depends on besides the setting
+    std::vector<std::string> scenes = {};  ///< TOML, where the run says what it burnt
+    std::optional<FigureContents> figure = {};  ///< where the run has drawn one
 };
 
 /// Runs `measure` and books what it took and how it ended; throws nothing.
 Record record_of(const std::string& experiment, const Setting& setting,
                  const std::function<Measurement(const Setting&)>& measure);
+
+/// The same for a run that leaves more than numbers: `run` fills the record.
+Record record_of(const std::string& experiment, const Setting& setting,
+                 const std::function<void(Record&)>& run);
 
 }  // namespace crawford::reports

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reports/figure_json.hpp"
+
 namespace crawford::reports {
 
 namespace {
@@ -38,6 +40,12 @@ std::vector<double> numbers(const Json& json) {
     return values;
 }
 
+Json one(const std::string& name, const Amount& value) {
+    Json json = {{"name", name}, {"value", number(value.value)}};
+    if (!value.unit.empty()) json["unit"] = value.unit;
+    return json;
+}
+
 Json quantities(const Measurement& found) {
     Json json = Json::array();
     for (const auto& [key, error] : found.errors())
@@ -45,8 +53,7 @@ Json quantities(const Measurement& found) {
                         {"norm", name(key.second)},
                         {"error", number(error.error)},
                         {"scale", number(error.scale)}});
-    for (const auto& [name, value] : found.values())
-        json.push_back({{"name", name}, {"value", number(value)}});
+    for (const auto& [name, value] : found.values()) json.push_back(one(name, value));
     for (const auto& [name, sample] : found.samples())
         json.push_back({{"name", name},
                         {"sample", numbers(sample.values)},
@@ -60,7 +67,7 @@ void read_quantity(const Json& json, Measurement& found) {
         found.error(name, norm_named(json.at("norm").get<std::string>()), number(json.at("error")),
                     number(json.at("scale")));
     else if (json.contains("value"))
-        found.value(name, number(json.at("value")));
+        found.value(name, Amount{number(json.at("value")), json.value("unit", std::string())});
     else
         found.sample(name, {numbers(json.at("sample")), numbers(json.at("weights"))});
 }
@@ -98,7 +105,7 @@ void from_json(const Json& json, Setting& setting) {
 
 void to_json(Json& json, const Record& record) {
     json = {{"experiment", record.experiment}, {"setting", record.setting}};
-    if (record.found) json["h"] = number(record.found->h());
+    if (record.found && !std::isnan(record.found->h())) json["h"] = number(record.found->h());
     json["quantities"] = record.found ? quantities(*record.found) : Json::array();
     json["cost"] = {{"wall_seconds", record.cost.wall_seconds},
                     {"cpu_seconds", record.cost.cpu_seconds},
@@ -106,6 +113,8 @@ void to_json(Json& json, const Record& record) {
     json["outcome"] = name(record.ending.kind);
     if (!record.ending.is_done()) json["failure"] = record.ending.message;
     json["fingerprint"] = record.fingerprint;
+    if (!record.scenes.empty()) json["scenes"] = record.scenes;
+    if (record.figure) json["figure"] = *record.figure;
 }
 
 void from_json(const Json& json, Record& record) {
@@ -119,8 +128,10 @@ void from_json(const Json& json, Record& record) {
         json.at("failure").get_to(record.ending.message);
         return;
     }
-    record.found = Measurement(number(json.at("h")));
+    record.found = json.contains("h") ? Measurement(number(json.at("h"))) : Measurement();
     for (const auto& quantity : json.at("quantities")) read_quantity(quantity, *record.found);
+    if (json.contains("scenes")) json.at("scenes").get_to(record.scenes);
+    if (json.contains("figure")) record.figure = json.at("figure").get<FigureContents>();
 }
 
 }  // namespace crawford::reports

@@ -71,6 +71,18 @@ std::optional<Record> RecordStore::newest(const std::string& experiment, const S
     return at == records.rend() ? std::nullopt : std::optional(*at);
 }
 
+std::optional<Record> RecordStore::newest(const std::string& experiment) {
+    const std::scoped_lock lock(mutex_);
+    const auto& records = file_of(experiment).records;
+    return records.empty() ? std::nullopt : std::optional(records.back());
+}
+
+void RecordStore::forget(const std::string& experiment) {
+    const std::scoped_lock lock(mutex_);
+    files_.erase(experiment);
+    std::filesystem::remove(path_of(experiment));
+}
+
 std::optional<Record> RecordStore::find(const std::string& experiment, const Setting& setting) {
     auto record = newest(experiment, setting);
     if (record && record->fingerprint == fingerprint_ && record->ending.is_done()) return record;

@@ -27,6 +27,12 @@ public:
     /// The newest record of this setting, whatever its fingerprint and ending.
     std::optional<Record> newest(const std::string& experiment, const Setting& setting);
 
+    /// The newest record of the experiment at all.
+    std::optional<Record> newest(const std::string& experiment);
+
+    /// Removes its records: what they tell of is about to be written over.
+    void forget(const std::string& experiment);
+
     /// Appends it, as one line, before it returns. The first to be added to a file sweeps out what
     /// other fingerprints have left there.
     /// \throws InputError if the file cannot be written.

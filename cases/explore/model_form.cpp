@@ -278,8 +278,7 @@ void add_pack(Outcome& outcome, Bars& bars, const Request& request) {
 }
 
 Outcome model_form(const Request& request) {
-    Outcome outcome{
-        reports::Figure("model_form", request.out, "cases/explore/model_form.gp"), {}, {}};
+    Outcome outcome{reports::Figure("model_form", request.out), {}, {}};
     Bars bars;
     add_capacity(outcome);
     add_slabs(outcome, bars);

@@ -11,11 +11,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "base/build_info.hpp"
+#include "cases/paper/ledger/evidence.hpp"
+#include "cases/paper/wavy_grid.hpp"
 #include "cases/registry.hpp"
+#include "cases/scenes/pack.hpp"
+#include "cases/scenes/sandwich.hpp"
 #include "cases/units.hpp"
 #include "solver/mesh/cell.hpp"
 
@@ -28,13 +29,6 @@ using namespace units;
 constexpr Domain domain{.width = 240 * um, .depth = 480 * um, .nx = 16, .ny = 24, .clustering = 2};
 constexpr double amplitude = 30.0 * um;
 
-SurfaceField wave(const Grid& grid) {
-    SurfaceField surface;
-    for (int i = 0; i < grid.node_columns(); ++i)
-        surface.push_back(amplitude * std::cos(2.0 * std::numbers::pi * grid.x(i) / grid.width()));
-    return surface;
-}
-
 /// The nodes from side to side, as corners of the cells.
 reports::QuadMap lines(const Grid& grid, const SurfaceField& surface, bool mapped) {
     reports::QuadMap map{.columns = size_t(grid.cell_columns()),
@@ -44,10 +38,10 @@ reports::QuadMap lines(const Grid& grid, const SurfaceField& surface, bool mappe
                          .fields = {{"height of the cell", "um", {}}}};
     for (int j = 0; j <= grid.rows(); ++j)
         for (int i = 0; i <= grid.cell_columns(); ++i) {
-            const double phi = surface[size_t(i % grid.node_columns())];
+            const Vector node = place(grid, surface, i, j);
             const double uniform = grid.depth() * (double(j) / grid.rows() - 1.0);
-            map.x.values.push_back(grid.x(i) / um);
-            map.y.values.push_back((mapped ? phi + grid.eta(j) : uniform) / um);
+            map.x.values.push_back(node.x() / um);
+            map.y.values.push_back((mapped ? node.y() : uniform) / um);
         }
     for (int j = 0; j < grid.rows(); ++j)
         for (int i = 0; i < grid.cell_columns(); ++i)
@@ -60,10 +54,9 @@ reports::QuadMap lines(const Grid& grid, const SurfaceField& surface, bool mappe
 void add_sides(reports::Figure& figure, const Grid& grid, const SurfaceField& surface) {
     std::vector<double> x, bottom, top;
     for (int i = 0; i <= grid.cell_columns(); ++i) {
-        const double phi = surface[size_t(i % grid.node_columns())];
         x.push_back(grid.x(i) / um);
-        bottom.push_back((phi + grid.eta(0)) / um);
-        top.push_back((phi + grid.eta(grid.rows())) / um);
+        bottom.push_back(place(grid, surface, i, 0).y() / um);
+        top.push_back(place(grid, surface, i, grid.rows()).y() / um);
     }
     figure.table("sides", {{"x", "um", x}, {"y at the bottom", "um", bottom}, {"y", "um", top}});
 }
@@ -72,8 +65,9 @@ void add_points(reports::Figure& figure, const Grid& grid, const SurfaceField& s
     std::vector<double> node_x, node_y, centre_x, centre_y;
     for (int i = 0; i <= grid.cell_columns(); ++i)
         for (int j = 0; j <= grid.rows(); ++j) {
-            node_x.push_back(grid.x(i) / um);
-            node_y.push_back((surface[size_t(i % grid.node_columns())] + grid.eta(j)) / um);
+            const Vector node = place(grid, surface, i, j);
+            node_x.push_back(node.x() / um);
+            node_y.push_back(node.y() / um);
         }
     for (int i = 0; i < grid.cell_columns(); ++i)
         for (int j = 0; j < grid.rows(); ++j) {
@@ -89,8 +83,8 @@ void add_points(reports::Figure& figure, const Grid& grid, const SurfaceField& s
 
 Outcome fig01(const Request& request) {
     const Grid grid(domain);
-    const SurfaceField surface = wave(grid);
-    reports::Figure figure("fig01", request.out, "cases/paper/fig01.gp");
+    const SurfaceField surface = wave(grid, amplitude);
+    reports::Figure figure("fig01", request.out);
     figure.map("uniform", lines(grid, surface, false))
         .map("mapped", lines(grid, surface, true))
         .caption(
@@ -115,12 +109,39 @@ Outcome fig01(const Request& request) {
             {scene}};
 }
 
+/// Height of the cells at the surface of a scene [um].
+double finest_cell(const Scene& scene) {
+    const Grid grid(scene.domain);
+    return grid.height(grid.rows() - 1) / um;
+}
+
+ledger::Rows claims(const ledger::Evidence&) {
+    using namespace reports;
+    return {judged({"finest cell of the sandwich's grid", "sec. 5.1", "fig01", "um", "1.25", 1.25,
+                    half_digit("1.25")},
+                   {finest_cell(burning_sandwich(Fidelity::paper, true)),
+                    ledger::exact,
+                    "eq. 32, c = 2, 96 rows over 480 um",
+                    {},
+                    {},
+                    "{:.3f}"}),
+            judged({"finest cell of the pack's grid", "sec. 5.2", "fig01", "um", "2", 2.0,
+                    half_digit("2")},
+                   {finest_cell(burning_pack(Fidelity::paper)),
+                    ledger::exact,
+                    "eq. 32, c = 2, 96 rows over 720 um",
+                    {},
+                    {},
+                    "{:.3f}"})};
+}
+
 const Registered here{{.name = "fig01",
                        .figure = "Fig. 1",
                        .shows = "the staggered grid below a sloped surface",
                        .physics = {physics::grid},
                        .cost = {.draft = 0.3, .paper = 0.3},
-                       .draw = fig01}};
+                       .draw = fig01,
+                       .claims = claims}};
 
 }  // namespace
 

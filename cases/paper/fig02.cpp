@@ -13,9 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/build_info.hpp"
+#include "cases/paper/wavy_grid.hpp"
 #include "cases/registry.hpp"
 #include "cases/scenes/sandwich.hpp"
 #include "cases/units.hpp"
@@ -40,24 +40,17 @@ Node chosen_node(const Grid& grid) {
     return {grid.cell_columns() / 2 + grid.cell_columns() / 16, row};
 }
 
-SurfaceField wave(const Grid& grid) {
-    SurfaceField surface;
-    for (int i = 0; i < grid.node_columns(); ++i)
-        surface.push_back(amplitude * std::cos(2.0 * std::numbers::pi * grid.x(i) / grid.width()));
-    return surface;
-}
-
 /// The sandwich's grid under that surface, and the node looked at.
 struct Place {
     Scene scene;
     Grid grid{scene.domain};
-    SurfaceField surface = wave(grid);
+    SurfaceField surface = wave(grid, amplitude);
     Node node = chosen_node(grid);
 
-    Vector position(int i, int j) const { return {grid.x(i), surface[size_t(i)] + grid.eta(j)}; }
+    Vector position(int i, int j) const { return crawford::place(grid, surface, i, j); }
 };
 
-Place place(Fidelity fidelity) {
+Place place_at(Fidelity fidelity) {
     Scene scene = burning_sandwich(fidelity, true);
     scene.domain.half = false;
     return {scene};
@@ -129,8 +122,8 @@ reports::QuadMap hat(const Place& at) {
 constexpr reports::PanelSize panel_size{.width = 480, .height = 460};
 
 Outcome fig02(const Request& request) {
-    const Place at = place(request.fidelity);
-    Outcome outcome{reports::Figure("fig02", request.out, "cases/paper/fig02.gp"), {}, {at.scene}};
+    const Place at = place_at(request.fidelity);
+    Outcome outcome{reports::Figure("fig02", request.out), {}, {at.scene}};
     outcome.figure.map("hat", hat(at))
         .caption({.grid = grid_text(at.scene), .revision = revision()})
         .set("panel_ratio", double(panel_size.width) / panel_size.height)

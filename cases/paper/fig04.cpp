@@ -11,8 +11,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/build_info.hpp"
 #include "cases/columns.hpp"
+#include "cases/paper/ledger/evidence.hpp"
 #include "cases/registry.hpp"
 #include "cases/scenes/slab.hpp"
 #include "cases/units.hpp"
@@ -35,6 +38,24 @@ std::vector<double> temperatures(const reference::Slab& exact, const std::vector
     return values;
 }
 
+/// What the claims ask for.
+namespace finds {
+std::string surface(const std::string& name) {
+    return name + ": surface temperature";
+}
+std::string error(const std::string& name) {
+    return name + ": error of it";
+}
+std::string drop(const std::string& material, const std::string& reading) {
+    return material + ": colder by mechanics, " + reading;
+}
+constexpr auto three_alpha = "3 alpha K", alpha = "alpha K";
+/// The run with mechanics as read.
+std::string coupled(const std::string& material) {
+    return material + "_three_alpha";
+}
+}  // namespace finds
+
 /// Adds the solver's and the exact temperature of one slab to the figure.
 /// \returns the solver's surface temperature [K]
 double add(Outcome& outcome, const std::string& name, const Slab& slab, SlabModel model) {
@@ -50,9 +71,9 @@ double add(Outcome& outcome, const std::string& name, const Slab& slab, SlabMode
         .table("exact_" + name,
                {{"depth", "um", scaled(line, -um)}, {"T", "K", temperatures(exact, line)}});
     outcome.scenes.push_back(scene);
-    outcome.findings.push_back({name + ": surface temperature", run.temperature.back(), "K"});
+    outcome.findings.push_back({finds::surface(name), run.temperature.back(), "K"});
     outcome.findings.push_back(
-        {name + ": error of it", run.temperature.back() - exact.surface_temperature(), "K"});
+        {finds::error(name), run.temperature.back() - exact.surface_temperature(), "K"});
     return run.temperature.back();
 }
 
@@ -64,15 +85,15 @@ void add_material(Outcome& outcome, const std::string& material, double flux, Fi
     outcome.figure.set("flux_" + material, flux / (cal / (s * cm2)));
     const double rigid =
         add(outcome, material + "_thermal", Slab(burning).rigid(), SlabModel::thermal);
-    const double three = add(outcome, material + "_three_alpha", burning, SlabModel::eulerian);
+    const double three = add(outcome, finds::coupled(material), burning, SlabModel::eulerian);
     const double one = add(outcome, material + "_alpha", Slab(burning).thermal_stress_alpha_k(),
                            SlabModel::eulerian);
-    outcome.findings.push_back({material + ": colder by mechanics, 3 alpha K", rigid - three, "K"});
-    outcome.findings.push_back({material + ": colder by mechanics, alpha K", rigid - one, "K"});
+    outcome.findings.push_back({finds::drop(material, finds::three_alpha), rigid - three, "K"});
+    outcome.findings.push_back({finds::drop(material, finds::alpha), rigid - one, "K"});
 }
 
 Outcome fig04(const Request& request) {
-    Outcome outcome{reports::Figure("fig04", request.out, "cases/paper/fig04.gp"), {}, {}};
+    Outcome outcome{reports::Figure("fig04", request.out), {}, {}};
     add_material(outcome, "AP", 200.0 * cal / (s * cm2), request.fidelity);
     add_material(outcome, "binder", 100.0 * cal / (s * cm2), request.fidelity);
     outcome.figure.caption({.grid = fmt::format("1 × {}, clustering 2", cells(request.fidelity)),
@@ -83,12 +104,38 @@ Outcome fig04(const Request& request) {
     return outcome;
 }
 
+ledger::Rows claims(const ledger::Evidence& evidence) {
+    using namespace reports;
+    const auto found = evidence.findings_of("fig04");
+    const auto drop = [&](const std::string& material, const std::string& reading) {
+        return found(finds::drop(material, reading));
+    };
+    const double rise = found(finds::surface(finds::coupled("AP"))) - 300.0;
+    const double ap = drop("AP", finds::three_alpha);
+    const double error = std::abs(found(finds::error(finds::coupled("binder"))));
+    return {
+        judged(Statement{
+            "drop of the surface temperature of AP", "Fig. 4a", "fig04", "almost negligible",
+            fmt::format("{:.2g} K (3 alpha K), {:.2g} K (alpha K)", ap, drop("AP", finds::alpha)),
+            "q_s = 0", ap < 0.01 * rise, "Below 1 % of the rise under both readings of beta."}),
+        judged({"drop of the surface temperature of binder", "Fig. 4b", "fig04", "K", "about 80",
+                80.0, 5.0 + 8.0},
+               {drop("binder", finds::three_alpha),
+                {.grid = error, .step = 0.0},
+                "3 alpha K, q_s = 0",
+                {{"alpha K", drop("binder", finds::alpha)}},
+                "Eqs. 50-53 are written with alpha K, eq. 38 with 3 alpha K; in Kuznetsov "
+                "and Stewart's small strain it is 47.5 K with alpha K.",
+                "{:.1f}"})};
+}
+
 const Registered here{{.name = "fig04",
                        .figure = "Fig. 4",
                        .shows = "slabs: surface with and without mechanics",
                        .physics = {physics::heat, physics::coupling, physics::slab},
                        .cost = {.draft = 3.0, .paper = 8.0},
-                       .draw = fig04}};
+                       .draw = fig04,
+                       .claims = claims}};
 
 }  // namespace
 

@@ -40,7 +40,7 @@ Outcome fig05(const Request& request) {
         return scene.surface.heat_flux[material] / (cal / (s * cm2));
     };
 
-    reports::Figure figure("fig05", request.out, "cases/paper/fig05.gp");
+    reports::Figure figure("fig05", request.out);
     figure.table("surface", {{"x", "um", scaled(line.x, um)}, {"y", "um", scaled(line.height, um)}})
         .set("width", scene.domain.width / um)
         .set("depth", scene.domain.depth / um)

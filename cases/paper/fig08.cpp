@@ -34,7 +34,7 @@ double largest_difference(const std::vector<double>& coarse, const std::vector<d
 
 Outcome fig08(const Request& request) {
     const auto burns = refined_sandwich(request);
-    Outcome outcome{reports::Figure("fig08", request.out, "cases/paper/fig08.gp"), {}, {}};
+    Outcome outcome{reports::Figure("fig08", request.out), {}, {}};
     std::vector<SurfaceLine> lines;
     for (const auto& burn : burns) {
         lines.push_back(surface_line(burn->last));

@@ -16,6 +16,7 @@
 
 #include "base/build_info.hpp"
 #include "base/source_tree.hpp"
+#include "cases/paper/ledger/evidence.hpp"
 #include "cases/registry.hpp"
 #include "cases/scenes/sandwich.hpp"
 #include "cases/units.hpp"
@@ -97,6 +98,14 @@ reports::QuadMap fraction_map(const Scene& scene) {
 constexpr double map_width = 210.0;  // [points]
 constexpr double left = 80.0, right = 115.0, foot = 95.0, head = 75.0;
 
+/// What the claims ask for.
+namespace finds {
+constexpr auto area_fraction = "area fraction of AP";
+std::string discs(double radius) {
+    return fmt::format("discs of radius {:.1f} um", radius / um);
+}
+}  // namespace finds
+
 Outcome fig12(const Request& request) {
     const Scene scene = pack(request.fidelity);
     const Discs& discs = std::get<Discs>(scene.morphology.shape);
@@ -114,7 +123,7 @@ Outcome fig12(const Request& request) {
     const reports::PanelSize panel_size{.width = int(left + map_width + right),
                                         .height = int(foot + map_height + head)};
 
-    reports::Figure figure("fig12", request.out, "cases/paper/fig12.gp");
+    reports::Figure figure("fig12", request.out);
     add_discs(figure, discs, width);
     figure.map("fraction", fraction_map(scene))
         .set("width", width / um)
@@ -133,14 +142,30 @@ Outcome fig12(const Request& request) {
         .panel("a", reports::Format::svg, panel_size)
         .panel("b", reports::Format::png, panel_size);
     Outcome outcome{figure,
-                    {{"area fraction of AP", fraction, "-"},
+                    {{finds::area_fraction, fraction, "-"},
                      {"smallest gap between discs", gap / um, "um"},
                      {"width of a cell", width / scene.domain.nx / um, "um"}},
                     {scene}};
     for (const auto& [radius, count] : sizes)
-        outcome.findings.push_back(
-            {fmt::format("discs of radius {:.1f} um", radius / um), double(count), "-"});
+        outcome.findings.push_back({finds::discs(radius), double(count), "-"});
     return outcome;
+}
+
+ledger::Rows claims(const ledger::Evidence& evidence) {
+    using namespace reports;
+    const auto found = evidence.findings_of("fig12");
+    double discs = 0.0;
+    for (const double radius : {38.4 * um, 28.8 * um, 17.7 * um})
+        discs += found(finds::discs(radius));
+    return {judged({"discs of the pack", "Fig. 12", "fig12", "-", "40", 40.0, 0.0},
+                   {discs, ledger::exact, "printed diameters are radii", {}, {}, "{:.0f}"}),
+            judged({"area fraction of AP", "Fig. 12", "fig12", "%", "72", 72.0, half_digit("72")},
+                   {100.0 * found(finds::area_fraction),
+                    ledger::exact,
+                    "printed diameters are radii, period 774.4 um",
+                    {},
+                    "As diameters 40 discs cover 19.4 % of the window.",
+                    "{:.3f}"})};
 }
 
 const Registered here{{.name = "fig12",
@@ -148,7 +173,8 @@ const Registered here{{.name = "fig12",
                        .shows = "the random pack, and as the grid sees it",
                        .physics = {physics::morphology, physics::pack},
                        .cost = {.draft = 0.5, .paper = 0.8},
-                       .draw = fig12}};
+                       .draw = fig12,
+                       .claims = claims}};
 
 }  // namespace
 

@@ -45,7 +45,7 @@ Outcome fig14(const Request& request) {
     const double span = highest + above_surface - bottom;
     const double map_height = map_width * span / scene.domain.width;
     const double width = left + map_width + right, height = head + map_height + foot;
-    reports::Figure figure("fig14", request.out, "cases/paper/fig14.gp");
+    reports::Figure figure("fig14", request.out);
     figure.map("nodes", nodes)
         .map("cells", cell_maps(last, bottom))
         .table("surface", surface_line_of(last))

@@ -9,6 +9,8 @@
 
 #include "base/build_info.hpp"
 #include "cases/columns.hpp"
+#include "cases/paper/ledger/pack_evidence.hpp"
+#include "cases/paper/ledger/readings.hpp"
 #include "cases/registry.hpp"
 #include "cases/scene_text.hpp"
 #include "cases/scenes/pack.hpp"
@@ -26,7 +28,7 @@ Outcome fig16(const Request& request) {
     const Course largest = course(burn->time, burn->largest_strain);
     const Course about_peak = course(burn->time, burn->strain_about_peak);
 
-    reports::Figure figure("fig16", request.out, "cases/paper/fig16.gp");
+    reports::Figure figure("fig16", request.out);
     figure
         .table("largest", {{"t", "ms", scaled(burn->time, ms)},
                            {"largest strain norm", "-", burn->largest_strain}})
@@ -44,8 +46,21 @@ Outcome fig16(const Request& request) {
             {{"largest strain norm on this grid, mean from 20 ms on", largest.mean, "-"},
              {"largest strain norm on this grid, deviation in time", largest.deviation, "-"},
              {"mean over 5 um about the peak, mean from 20 ms on", about_peak.mean, "-"},
-             {"mean over 5 um about the peak, deviation in time", about_peak.deviation, "-"}},
+             {"mean over 5 um about the peak, deviation in time", about_peak.deviation, "-"},
+             finding(ledger::mean_strain, *burn),
+             finding(ledger::mean_strain_about_peak, *burn)},
             {scene}};
+}
+
+ledger::Rows claims(const ledger::Evidence& evidence) {
+    using namespace ledger;
+    const auto found = evidence.findings_of("fig16");
+    return {judged({"mean of the largest strain", "Fig. 16", "fig16", "%", "31.6", 31.6,
+                    reports::half_digit("31.6")},
+                   {found(mean_strain.what), found(mean_strain_about_peak.what),
+                    divergence(evidence, of_pack, mean_strain, "x and y"),
+                    times(others(evidence.pack_readings, quantity::largest_strain), 100.0)},
+                   uncertainty_of_peak(evidence, of_pack))};
 }
 
 const Registered here{{.name = "fig16",
@@ -54,7 +69,8 @@ const Registered here{{.name = "fig16",
                        .physics = {physics::reference_map, physics::pack},
                        .cost = {.draft = 12.0, .paper = 400.0},
                        .draw = fig16,
-                       .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; }}};
+                       .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; },
+                       .claims = claims}};
 
 }  // namespace
 

@@ -39,8 +39,7 @@ Outcome pack_movie(const Request& request) {
     const auto burn = kept_burn(scene, request);
     const double bottom = surface_span(burn->last).lowest - below_surface;
 
-    Outcome outcome{
-        reports::Figure("fig13", request.out, "cases/paper/fig13_movie.gp"), {}, {scene}};
+    Outcome outcome{reports::Figure("fig13", request.out), {}, {scene}};
     outcome.figure.forget_numbers();
     const int frames = int(std::lround(scene.time.end / frame_interval));
     for (int k = 1; k <= frames; ++k)

@@ -25,6 +25,10 @@ Pair finer(int i, int ratio, bool at_nodes) {
     return {ratio * i + ratio / 2 - 1, ratio * i + ratio / 2};
 }
 
+std::string order_of(const std::string& set, const std::string& quantity) {
+    return fmt::format("{}, {}: order ", set, quantity);
+}
+
 /// What a fit over these grids reads in the paper's way if the order is p.
 double biased_fit(double p, std::vector<Level> levels, double finest_h) {
     for (Level& level : levels) level.error = std::pow(level.h, p) - std::pow(finest_h, p);
@@ -32,6 +36,41 @@ double biased_fit(double p, std::vector<Level> levels, double finest_h) {
 }
 
 }  // namespace
+
+std::string order_in_papers_way(const std::string& set, const std::string& quantity) {
+    return order_of(set, quantity) + "in the paper's way";
+}
+
+std::string order_from_differences(const std::string& set, const std::string& quantity) {
+    return order_of(set, quantity) + "from successive differences";
+}
+
+reports::LedgerRow judged_order(const ledger::Evidence& evidence, const reports::Claim& claim,
+                                const std::vector<std::string>& quantities, const std::string& set,
+                                const std::string& other_set) {
+    const auto found = evidence.findings_of(claim.entry);
+    const auto mean = [&](const std::string& of, auto name) {
+        double sum = 0.0;
+        for (const std::string& quantity : quantities) sum += found(name(of, quantity));
+        return sum / double(quantities.size());
+    };
+    std::vector<reports::OtherReading> others;
+    std::string because =
+        fmt::format("From successive differences {:.2f}", mean(set, order_from_differences));
+    if (!other_set.empty()) {
+        others.push_back({"B-bar element", mean(other_set, order_in_papers_way)});
+        because +=
+            fmt::format("; with the B-bar element {:.2f}, {:.2f} from successive differences",
+                        others.back().value, mean(other_set, order_from_differences));
+    }
+    return reports::judged(claim, {mean(set, order_in_papers_way),
+                                   {},
+                                   "the paper's way: the finest grid stands for the truth" +
+                                       std::string(set == "q1" ? ", q1 element" : ""),
+                                   others,
+                                   because + ". The paper's way always reads too high.",
+                                   "{:.2f}"});
+}
 
 double distance(const Lattice<double>& coarse, const Lattice<double>& fine, bool at_nodes) {
     const int extra = at_nodes ? 1 : 0;
@@ -86,12 +125,12 @@ void Refinement::report(Outcome& outcome, const std::string& set) const {
         const double unbiased = reports::from_differences(levels).fit();
         outcome.figure.set(fmt::format("papers_{}_{}", set, q + 1), papers)
             .set(fmt::format("unbiased_{}_{}", set, q + 1), unbiased);
-        const std::string order = fmt::format("{}, {}: order ", set, what.name);
-        outcome.findings.push_back({order + "in the paper's way", papers, "-"});
-        outcome.findings.push_back({order + "from successive differences", unbiased, "-"});
+        outcome.findings.push_back({order_in_papers_way(set, what.name), papers, "-"});
+        outcome.findings.push_back({order_from_differences(set, what.name), unbiased, "-"});
         if (unbiased > 0.0)  // else nothing converges that a bias could act on
-            outcome.findings.push_back({order + "that this would read as in the paper's way",
-                                        biased_fit(unbiased, papers_levels, h(finest)), "-"});
+            outcome.findings.push_back(
+                {order_of(set, what.name) + "that this would read as in the paper's way",
+                 biased_fit(unbiased, papers_levels, h(finest)), "-"});
     }
     outcome.figure.table(set, columns);
 }

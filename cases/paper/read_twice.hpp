@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/paper/ledger/evidence.hpp"
 #include "cases/registry.hpp"
 #include "solver/mesh/lattice.hpp"
 
@@ -22,6 +23,19 @@ struct Compared {
 /// of the coarser. The finer is interpolated bilinearly: nodes coincide, centres of cells lie amid
 /// finer cells. Columns on the axis and on the side stand once in the whole, all others twice.
 double distance(const Lattice<double>& coarse, const Lattice<double>& fine, bool at_nodes);
+
+/// What Refinement::report() calls the orders of a quantity.
+std::string order_in_papers_way(const std::string& set, const std::string& quantity);
+std::string order_from_differences(const std::string& set, const std::string& quantity);
+
+/// The paper's order of some quantities (their mean) beside ours of a set; `other_set` is empty or
+/// that of the B-bar element.
+reports::LedgerRow judged_order(const ledger::Evidence& evidence, const reports::Claim& claim,
+                                const std::vector<std::string>& quantities, const std::string& set,
+                                const std::string& other_set = {});
+
+/// The four of plane strain, as claims on the order of stress take their mean.
+inline const std::vector<std::string> stress_names = {"sigma_11", "sigma_22", "sigma_33", "tau"};
 
 /// One set of grids, coarsest first.
 class Refinement {

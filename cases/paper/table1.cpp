@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "base/build_info.hpp"
+#include "cases/paper/ledger/evidence.hpp"
 #include "cases/registry.hpp"
 #include "cases/units.hpp"
 #include "solver/scene/material.hpp"
@@ -48,6 +49,17 @@ double young(const Material& m) {
 
 /// Two numbers of one order of magnitude are at most this factor apart.
 constexpr double order_of_magnitude = 3.2;
+
+/// What the claims ask for.
+namespace finds {
+constexpr auto shear_wave = "wave speed √(μ/ρ)", longitudinal_wave = "wave speed √(E/ρ)";
+constexpr auto epsilon = "ε = ρ r_b^2/E";
+constexpr auto peclet = "Péclet number ρ c_p L r_b/κ";
+constexpr auto stiffness = "E/(ρ c_p T_0)";
+std::string of(const std::string& material, const std::string& what) {
+    return material + ": " + what;
+}
+}  // namespace finds
 
 struct Row {
     std::string what, unit;
@@ -92,27 +104,27 @@ std::vector<Row> consequences() {
          [](M m) { return young(m) / MPa; },
          {unprinted, unprinted},
          0.0},
-        {"wave speed √(μ/ρ)",
+        {finds::shear_wave,
          "m/s",
          [](M m) { return std::sqrt(m.shear_modulus / m.density); },
          {2357.4, 51.3}},
-        {"wave speed √(E/ρ)",
+        {finds::longitudinal_wave,
          "m/s",
          [](M m) { return std::sqrt(young(m) / m.density); },
          {3669.8, 88.8}},
-        {"ε = ρ r_b^2/E",
+        {finds::epsilon,
          "-",
          [](M m) { return m.density * burn_rate * burn_rate / young(m); },
          {1e-4, 1e-4},
          order_of_magnitude},
-        {"Péclet number ρ c_p L r_b/κ",
+        {finds::peclet,
          "-",
          [](M m) {
              return m.density * m.specific_heat * length * burn_rate / m.thermal_conductivity;
          },
          {1.0, 1.0},
          order_of_magnitude},
-        {"E/(ρ c_p T_0)",
+        {finds::stiffness,
          "-",
          [](M m) { return young(m) / (m.density * m.specific_heat * cold); },
          {1.0, 1.0},
@@ -142,12 +154,14 @@ void add(Outcome& outcome, const std::string& block, const std::vector<Row>& row
 }
 
 Outcome table1(const Request& request) {
-    Outcome outcome{reports::Figure("table1", request.out, "cases/paper/table1.gp"), {}, {}};
+    Outcome outcome{reports::Figure("table1", request.out), {}, {}};
     add(outcome, "properties", properties());
     add(outcome, "consequences", consequences());
     for (const Row& row : consequences()) {
-        outcome.findings.push_back({"AP: " + row.what, row.of(ammonium_perchlorate()), row.unit});
-        outcome.findings.push_back({"binder: " + row.what, row.of(htpb_binder()), row.unit});
+        outcome.findings.push_back(
+            {finds::of("AP", row.what), row.of(ammonium_perchlorate()), row.unit});
+        outcome.findings.push_back(
+            {finds::of("binder", row.what), row.of(htpb_binder()), row.unit});
     }
     outcome.figure
         .caption({.revision = revision(),
@@ -158,12 +172,60 @@ Outcome table1(const Request& request) {
     return outcome;
 }
 
+using Found = std::function<double(const std::string& what)>;
+
+reports::LedgerRow wave_speed(const Found& found, const std::string& material,
+                              const std::string& name, const char* what, const char* printed) {
+    return reports::judged(
+        {fmt::format("{} of {}", name, material), "Table 1", "table1", "m/s", printed,
+         std::stod(printed), reports::half_digit(printed)},
+        {found(finds::of(material, what)),
+         ledger::exact,
+         "eq. 12, 13 with the table's own K, mu, rho",
+         {},
+         "The printed speed does not follow from the printed table; nothing else "
+         "depends on it.",
+         "{:.1f}"});
+}
+
+/// "O(1)".
+reports::LedgerRow order_one(const std::string& claim, double value, const std::string& reading) {
+    return reports::judged(reports::Statement{
+        claim, "sec. 2.1", "table1", "O(1)", fmt::format("{:.2g}", value), reading,
+        std::abs(std::log10(value)) <= 0.5, "Within a factor of 3.2 of one counts as O(1)."});
+}
+
+ledger::Rows claims(const ledger::Evidence& evidence) {
+    const auto found = evidence.findings_of("table1");
+    ledger::Rows rows = {
+        wave_speed(found, "AP", "shear wave speed", finds::shear_wave, "2357.4"),
+        wave_speed(found, "AP", "longitudinal wave speed", finds::longitudinal_wave, "3669.8"),
+        wave_speed(found, "binder", "shear wave speed", finds::shear_wave, "51.3"),
+        wave_speed(found, "binder", "longitudinal wave speed", finds::longitudinal_wave, "88.8")};
+    for (const std::string material : {"AP", "binder"}) {
+        rows.push_back(reports::judged({"epsilon = rho r_b^2/E of " + material, "sec. 2.1",
+                                        "table1", "-", "about 1e-4", 1e-4, 0.55e-4},
+                                       {found(finds::of(material, finds::epsilon)),
+                                        ledger::exact,
+                                        "1 cm/s",
+                                        {},
+                                        "Quasi-statics holds all the better.",
+                                        "{:.2g}"}));
+        rows.push_back(order_one("Peclet number of " + material,
+                                 found(finds::of(material, finds::peclet)), "L = 28 um, 1 cm/s"));
+        rows.push_back(order_one("E/(rho c_p T_0) of " + material,
+                                 found(finds::of(material, finds::stiffness)), "300 K"));
+    }
+    return rows;
+}
+
 const Registered here{{.name = "table1",
                        .figure = "Table 1",
                        .shows = "properties as used and printed, and what follows from them",
                        .physics = {physics::materials},
                        .cost = {.draft = 0.2, .paper = 0.2},
-                       .draw = table1}};
+                       .draw = table1,
+                       .claims = claims}};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -88,6 +89,61 @@ TEST_F(ProgramFigures, AreDrawnAnewAtAnotherFidelity) {
     const Finished paper =
         run_program({program_path(), "run", "fig01", "--out", (scratch_ / "out").string()});
     EXPECT_THAT(paper.output, Not(HasSubstr("up to date")));
+}
+
+/// A figure of lines and one with a map, drawn again from what they have left.
+TEST_F(ProgramFigures, AreDrawnAgainFromTheirRecords) {
+    for (const std::string name : {"fig01", "fig12"}) {
+        draw(name, "out");
+        const fs::path figures = scratch_ / "out" / "figures";
+        std::map<std::string, std::string> before;
+        for (const std::string& file : names(figures)) {
+            before[file] = content(figures / file);
+            if (!file.ends_with(".csv") && !file.ends_with(".json")) fs::remove(figures / file);
+        }
+        const Finished again = run_program(
+            {program_path(), "run", name, "--from-records", "--out", (scratch_ / "out").string()});
+        EXPECT_EQ(again.status, 0) << again.output;
+        for (const auto& [file, bytes] : before) EXPECT_EQ(content(figures / file), bytes) << file;
+    }
+}
+
+/// It looks at a burn and at nothing else: without the burn it is drawn all the same.
+TEST_F(ProgramFigures, BurnNothingFromRecords) {
+    draw("fig05", "out");
+    const std::string before = content(scratch_ / "out" / "figures" / "fig05.svg");
+    fs::remove_all(scratch_ / "out" / "burns");
+    fs::remove(scratch_ / "out" / "figures" / "fig05.svg");
+    EXPECT_EQ(draw("fig05", "out", {"--from-records"}).status, 0);
+    EXPECT_EQ(content(scratch_ / "out" / "figures" / "fig05.svg"), before);
+    EXPECT_FALSE(fs::exists(scratch_ / "out" / "burns"));
+}
+
+TEST_F(ProgramFigures, WithoutARecordAreRefused) {
+    const auto refused = [&](const std::string& why, std::vector<std::string> options = {}) {
+        options.insert(options.begin(), "--from-records");
+        const Finished again = draw("fig01", "out", options);
+        EXPECT_EQ(again.status, 2) << again.output;
+        EXPECT_THAT(again.output, HasSubstr("fig01: " + why));
+        EXPECT_THAT(again.output, HasSubstr("draw it first"));
+    };
+    refused("no record of a drawing");
+    draw("fig01", "out");
+    fs::remove(scratch_ / "out" / "figures" / "fig01_nodes.csv");
+    refused((scratch_ / "out" / "figures" / "fig01_nodes.csv").string() + " is gone");
+    run_program({program_path(), "run", "fig01", "--out", (scratch_ / "out").string()});
+    refused("the record is of fidelity paper, not draft");
+}
+
+/// Two fidelities share their files: the record that is there is of those that are there.
+TEST_F(ProgramFigures, AreNotTakenForThoseOfAnEarlierFidelity) {
+    draw("fig12", "out");
+    const fs::path numbers = scratch_ / "out" / "figures" / "fig12_fraction.csv";
+    const std::string draft = content(numbers);
+    run_program({program_path(), "run", "fig12", "--out", (scratch_ / "out").string()});
+    EXPECT_NE(content(numbers), draft);
+    EXPECT_THAT(draw("fig12", "out").output, Not(HasSubstr("up to date")));
+    EXPECT_EQ(content(numbers), draft);
 }
 
 /// Figure 5 burns 30 ms with a checkpoint every 10 ms. It is killed after the first, and again

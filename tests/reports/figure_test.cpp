@@ -111,7 +111,7 @@ TEST_F(Figures, CanBeMoviesThatKeepNoNumbers) {
         Figure movie("fig13", out_, s);
         movie.forget_numbers().table("solver", line_);
         movie.panel(Format::gif, {.width = 200, .height = 100});
-        EXPECT_TRUE(movie.data().empty());
+        EXPECT_TRUE(movie.contents().data().empty());
         const auto drawn = movie.draw();
         ASSERT_EQ(drawn.size(), 1U);
         EXPECT_EQ(drawn[0].filename(), "fig13.gif");

@@ -1,64 +1,64 @@
 #include "cases/paper/ledger/ledger.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "cases/paper/ledger/packs.hpp"
 #include "cases/paper/ledger/readings.hpp"
 #include "cases/paper/ledger/refinements.hpp"
-#include "cases/scenes/pack.hpp"
-#include "cases/scenes/sandwich.hpp"
-#include "cases/units.hpp"
 
 namespace crawford::ledger {
 
 namespace {
 
-using namespace units;
-
-/// Readings are compared on coarse grids with long steps: what they change is far more than what
-/// those do, and there are many.
-Resolution of_pack_readings(Fidelity fidelity) {
-    if (fidelity == Fidelity::draft) return {40, 32, 200 * us, 0.04};
-    return {60, 48, 100 * us, 0.135};
-}
-
-Resolution of_sandwich_readings(Fidelity fidelity) {
-    if (fidelity == Fidelity::draft) return {16, 24, 160 * us, 0.04};
-    return {32, 48, 80 * us, 0.1};
+Evidence evidence_of(Fidelity fidelity, const Records& records) {
+    Evidence evidence;
+    for (const Series& series : all_series(fidelity))
+        std::ranges::move(refinements(series, records), std::back_inserter(evidence.refinements));
+    evidence.spreads = spreads(packs(fidelity), records);
+    evidence.pack_readings = matrix(pack_readings(fidelity), records);
+    evidence.sandwich_readings = matrix(sandwich_readings(fidelity), records);
+    return evidence;
 }
 
 }  // namespace
 
-std::vector<std::string> cited_cases() {
-    return {"table1", "fig03", "fig04", "fig06", "fig09", "fig12"};
+std::vector<const Entry*> claiming_cases() {
+    std::vector<const Entry*> cases;
+    for (const Entry& entry : catalogue())
+        if (entry.claims) cases.push_back(&entry);
+    std::ranges::stable_partition(
+        cases, [](const Entry* entry) { return entry->figure.starts_with("Table"); });
+    return cases;
 }
 
-std::vector<Scene> scenes(Fidelity fidelity) {
-    std::vector<Scene> all = {burning_sandwich(fidelity, true), burning_sandwich(fidelity, false),
-                              burning_pack(fidelity), burning_pack(fidelity, {.mechanics = false}),
-                              burning_pack(fidelity, {.flux = 2.0})};
-    const auto add = [&](const std::vector<Scene>& more) {
-        all.insert(all.end(), more.begin(), more.end());
+std::vector<Run> runs(Fidelity fidelity) {
+    std::vector<Run> all;
+    std::set<std::pair<std::string, std::string>> seen;
+    const auto add = [&](const std::vector<Run>& more) {
+        for (const Run& run : more)
+            if (seen.emplace(run.experiment, run.setting.text()).second) all.push_back(run);
     };
-    for (const Series& series : all_series(fidelity)) add(scenes_of(series));
-    add(scenes_of(packs(fidelity)));
-    add(scenes_of(Subject("pack.toml"), of_pack_readings(fidelity), pack_readings()));
-    add(scenes_of(Subject("sandwich.toml"), of_sandwich_readings(fidelity), sandwich_readings()));
+    for (const Series& series : all_series(fidelity)) add(runs(series));
+    add(runs(packs(fidelity)));
+    add(runs(pack_readings(fidelity)));
+    add(runs(sandwich_readings(fidelity)));
     return all;
 }
 
-reports::Ledger settle(const Request& request, const Findings& finding) {
-    reports::Ledger found;
-    for (const Series& series : all_series(request.fidelity))
-        for (const auto& refinement : refinements(series, request))
-            found.refinements.push_back(refinement);
-    found.spreads = spreads(packs(request.fidelity), request);
-    found.readings = {sandwich_matrix(of_sandwich_readings(request.fidelity), request),
-                      pack_matrix(of_pack_readings(request.fidelity), request)};
-    found.rows = rows_of_findings(finding);
-    const auto add = [&](const std::vector<reports::LedgerRow>& more) {
-        found.rows.insert(found.rows.end(), more.begin(), more.end());
-    };
-    add(rows_of_sandwich(request, found.refinements, found.readings.front()));
-    add(rows_of_pack(request, found, found.readings.back()));
-    return found;
+reports::Ledger judged(Fidelity fidelity, const Records& records,
+                       decltype(Evidence::finding) finding) {
+    Evidence evidence = evidence_of(fidelity, records);
+    evidence.finding = std::move(finding);
+    reports::Ledger ledger;
+    for (const Entry* const entry : claiming_cases())
+        std::ranges::move(entry->claims(evidence), std::back_inserter(ledger.rows));
+    ledger.readings = {evidence.sandwich_readings, evidence.pack_readings};
+    ledger.refinements = std::move(evidence.refinements);
+    ledger.spreads = std::move(evidence.spreads);
+    return ledger;
 }
 
 }  // namespace crawford::ledger

@@ -1,18 +1,21 @@
-/// The ledger of the paper's claims: what must be burnt for it, and what is made of the burns.
+/// The ledger of the paper's claims: what must be run for it, and what is made of the records.
 #pragma once
 
-#include "cases/paper/ledger/rows.hpp"
+#include "cases/paper/ledger/evidence.hpp"
+#include "cases/paper/ledger/experiment.hpp"
 
 namespace crawford::ledger {
 
-/// Cases whose findings it cites; their burns are among scenes().
-std::vector<std::string> cited_cases();
+/// Entries whose claims it collects, in the order of the paper: Table 1, then figures.
+std::vector<const Entry*> claiming_cases();
 
-/// All burns: of readings, refinements and packs, and those of the figures.
-std::vector<Scene> scenes(Fidelity fidelity);
+/// All runs of readings, refinements and packs, each once.
+std::vector<Run> runs(Fidelity fidelity);
 
-/// The ledger, from burns that are there (missing ones are made, one by one). Its manifest is left
+/// From records alone. `finding` is that of Evidence, of the cases above. The manifest is left
 /// empty.
-reports::Ledger settle(const Request& request, const Findings& finding);
+/// \throws NumericalFailure if a run failed that a refinement or a spread needs.
+reports::Ledger judged(Fidelity fidelity, const Records& records,
+                       decltype(Evidence::finding) finding);
 
 }  // namespace crawford::ledger

@@ -4,11 +4,13 @@
 #include <limits>
 #include <utility>
 
-#include "base/errors.hpp"
+#include "cases/units.hpp"
 
 namespace crawford::ledger {
 
 namespace {
+
+using namespace units;
 
 /// Choices that exclude each other, the one that Crawford takes first.
 using Axis = std::vector<Reading>;
@@ -100,31 +102,6 @@ double distance(const std::vector<reports::Quantity>& quantities,
     return std::sqrt(squares / count);
 }
 
-/// The numbers of a matrix from a burn with and one without mechanics.
-using Numbers = std::vector<double> (*)(const Burn& coupled, const Burn& rigid);
-
-reports::ReadingMatrix matrix(const Subject& subject, const Resolution& resolution,
-                              const std::vector<Reading>& readings, const Request& request,
-                              std::vector<reports::Quantity> quantities, Numbers numbers) {
-    reports::ReadingMatrix matrix;
-    matrix.grid = text(resolution);
-    matrix.quantities = std::move(quantities);
-    for (const Reading& reading : readings) {
-        reports::ReadingRun run{.reading = reading.name, .set = reading.set};
-        try {
-            const auto coupled = kept_burn(subject.coupled(resolution, reading.set), request);
-            const auto rigid = kept_burn(subject.rigid(resolution, rigid_set(reading)), request);
-            run.values = numbers(*coupled, *rigid);
-        } catch (const NumericalFailure& failure) {
-            run.failure = failure.what();
-            run.values.assign(matrix.quantities.size(), std::numeric_limits<double>::quiet_NaN());
-        }
-        run.distance = distance(matrix.quantities, run.values);
-        matrix.runs.push_back(std::move(run));
-    }
-    return matrix;
-}
-
 double change(double coupled, double rigid) {
     return 100.0 * (coupled / rigid - 1.0);
 }
@@ -157,53 +134,93 @@ std::vector<double> numbers_of_sandwich(const Burn& coupled, const Burn& rigid) 
             outward_displacement.of(coupled)};
 }
 
+std::vector<Scene> scenes_of(const Readings& of, const Reading& reading) {
+    return {of.subject.coupled(of.resolution, reading.set),
+            of.subject.rigid(of.resolution, rigid_set(reading))};
+}
+
+Run run_of(const Readings& of, const Reading& reading) {
+    auto scenes = scenes_of(of, reading);
+    const auto setting = with(reports::Setting().set("reading", reading.name), of.resolution);
+    return {of.experiment, setting, scenes,
+            [scenes, quantities = of.quantities, numbers = of.numbers](const Request& request) {
+                const auto coupled = kept_burn(scenes[0], request);
+                const auto rigid = kept_burn(scenes[1], request);
+                const auto values = numbers(*coupled, *rigid);
+                reports::Measurement found;
+                for (size_t k = 0; k < values.size(); ++k)
+                    found.value(quantities[k].name, reports::Amount{values[k], quantities[k].unit});
+                return found;
+            }};
+}
+
+/// Readings are compared on coarse grids with long steps: what they change is far more than what
+/// those do, and there are many.
+Resolution of_pack_readings(Fidelity fidelity) {
+    if (fidelity == Fidelity::draft) return {40, 32, 200 * us, 0.04};
+    return {60, 48, 100 * us, 0.135};
+}
+
+Resolution of_sandwich_readings(Fidelity fidelity) {
+    if (fidelity == Fidelity::draft) return {16, 24, 160 * us, 0.04};
+    return {32, 48, 80 * us, 0.1};
+}
+
 }  // namespace
 
-std::vector<Reading> pack_readings() {
-    return readings(of_a_pack);
+Readings pack_readings(Fidelity fidelity) {
+    return {.experiment = "pack-readings",
+            .title = "burning pack: means of the whole run (Fig. 15, 16)",
+            .subject = Subject("pack.toml"),
+            .resolution = of_pack_readings(fidelity),
+            .readings = readings(of_a_pack),
+            .quantities = {{quantity::rigid_burn_rate, "cm/s", 0.449},
+                           {quantity::burn_rate, "cm/s", 0.42},
+                           {quantity::change_of_burn_rate, "%", 100.0 * (0.42 / 0.449 - 1.0)},
+                           {quantity::rigid_rise, "K", 975.9 - cold},
+                           {quantity::rise, "K", 965.4 - cold},
+                           {quantity::largest_strain, "-", 0.316},
+                           {quantity::strain_about_peak, "-", {}}},
+            .numbers = numbers_of_pack};
 }
 
-std::vector<Reading> sandwich_readings() {
-    return readings(of_a_sandwich);
+Readings sandwich_readings(Fidelity fidelity) {
+    return {.experiment = "sandwich-readings",
+            .title = "burning sandwich: the end of the run (Fig. 7, 10, 11)",
+            .subject = Subject("sandwich.toml"),
+            .resolution = of_sandwich_readings(fidelity),
+            .readings = readings(of_a_sandwich),
+            .quantities = {{quantity::rigid_burn_rate, "cm/s", {}},
+                           {quantity::burn_rate, "cm/s", {}},
+                           {quantity::change_of_burn_rate, "%", {}},
+                           {"change of T amid the strip", "K", {}},
+                           {quantity::largest_strain, "-", 0.5},
+                           {quantity::strain_about_peak, "-", {}},
+                           {quantity::height_of_profile, "um", 8.0},
+                           {"outward displacement", "um", {}}},
+            .numbers = numbers_of_sandwich};
 }
 
-std::vector<Scene> scenes_of(const Subject& subject, const Resolution& resolution,
-                             const std::vector<Reading>& readings) {
-    std::vector<Scene> scenes;
-    for (const Reading& reading : readings) {
-        scenes.push_back(subject.coupled(resolution, reading.set));
-        scenes.push_back(subject.rigid(resolution, rigid_set(reading)));
+std::vector<Run> runs(const Readings& of) {
+    std::vector<Run> runs;
+    for (const Reading& reading : of.readings) runs.push_back(run_of(of, reading));
+    return runs;
+}
+
+reports::ReadingMatrix matrix(const Readings& of, const Records& records) {
+    reports::ReadingMatrix matrix{
+        .title = of.title, .grid = text(of.resolution), .quantities = of.quantities};
+    for (const Reading& reading : of.readings) {
+        reports::ReadingRun run{.reading = reading.name, .set = reading.set};
+        const reports::Record record = records(run_of(of, reading));
+        for (const auto& quantity : of.quantities)
+            run.values.push_back(record.found ? value(*record.found, quantity.name)
+                                              : std::numeric_limits<double>::quiet_NaN());
+        run.failure = record.ending.message;
+        run.distance = distance(matrix.quantities, run.values);
+        matrix.runs.push_back(std::move(run));
     }
-    return scenes;
-}
-
-reports::ReadingMatrix pack_matrix(const Resolution& resolution, const Request& request) {
-    auto found = matrix(Subject("pack.toml"), resolution, pack_readings(), request,
-                        {{"burn rate, rigid", "cm/s", 0.449},
-                         {"burn rate", "cm/s", 0.42},
-                         {"change of burn rate", "%", 100.0 * (0.42 / 0.449 - 1.0)},
-                         {"rise of largest T, rigid", "K", 975.9 - cold},
-                         {"rise of largest T", "K", 965.4 - cold},
-                         {"largest strain", "-", 0.316},
-                         {"strain over 5 um", "-", {}}},
-                        numbers_of_pack);
-    found.title = "burning pack: means of the whole run (Fig. 15, 16)";
-    return found;
-}
-
-reports::ReadingMatrix sandwich_matrix(const Resolution& resolution, const Request& request) {
-    auto found = matrix(Subject("sandwich.toml"), resolution, sandwich_readings(), request,
-                        {{"burn rate, rigid", "cm/s", {}},
-                         {"burn rate", "cm/s", {}},
-                         {"change of burn rate", "%", {}},
-                         {"change of T amid the strip", "K", {}},
-                         {"largest strain", "-", 0.5},
-                         {"strain over 5 um", "-", {}},
-                         {"height of the profile", "um", 8.0},
-                         {"outward displacement", "um", {}}},
-                        numbers_of_sandwich);
-    found.title = "burning sandwich: the end of the run (Fig. 7, 10, 11)";
-    return found;
+    return matrix;
 }
 
 }  // namespace crawford::ledger

@@ -1,12 +1,8 @@
 #include "cases/paper/ledger/refinements.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "base/errors.hpp"
 #include "cases/units.hpp"
 #include "reports/extrapolate.hpp"
 #include "reports/order.hpp"
@@ -18,16 +14,6 @@ namespace {
 using namespace units;
 
 constexpr double formal_order = 1.0;
-constexpr auto diverging = "diverging";
-
-const std::vector<Measure> of_pack = {mean_burn_rate_of_all,  mean_temperature,         mean_strain,
-                                      mean_strain_about_peak, mean_pressure_about_peak, relief};
-const std::vector<Measure> of_rigid_pack = {mean_burn_rate_of_all, mean_temperature, relief};
-const std::vector<Measure> of_sandwich = {
-    last_burn_rate,           last_temperature,     last_strain,      last_strain_about_peak,
-    last_pressure_about_peak, outward_displacement, height_of_profile};
-const std::vector<Measure> of_rigid_sandwich = {last_burn_rate, last_temperature,
-                                                height_of_profile};
 
 /// The size [um or us] that a direction refines.
 double size_of(const Scene& scene, const std::string& direction) {
@@ -54,14 +40,27 @@ std::vector<Series> both(const std::string& of, const std::string& file,
     const bool pack = of == "pack";
     // As often as figures keep theirs, so that burns with the grid and step of a figure are shared.
     const Subject subject(file, pack ? 5 * ms : 10 * ms);
-    return {{of, direction, subject, resolutions, used, true, pack ? of_pack : of_sandwich},
-            {of + ", rigid", direction, subject, resolutions, used, false,
-             pack ? of_rigid_pack : of_rigid_sandwich}};
+    const std::string experiment = pack ? "ledger-pack-refinement" : "ledger-sandwich-refinement";
+    return {{experiment, of, direction, subject, resolutions, used, true,
+             pack ? pack_measures() : sandwich_measures()},
+            {experiment, of + ", rigid", direction, subject, resolutions, used, false,
+             pack ? rigid_pack_measures() : rigid_sandwich_measures()}};
+}
+
+Run run_of(const Series& series, const Resolution& resolution) {
+    const std::string solid = series.mechanics ? "thermo-mechanical" : "rigid";
+    const Scene scene = series.scene(resolution);
+    return {series.experiment,
+            with(reports::Setting().set("solid", solid), resolution),
+            {scene},
+            [scene, measures = series.measures](const Request& request) {
+                return measured(*kept_burn(scene, request), measures);
+            }};
 }
 
 reports::Refinement refinement(const Series& series, const Measure& measure,
                                const std::vector<double>& sizes,
-                               const std::vector<std::shared_ptr<const Burn>>& burns) {
+                               const std::vector<reports::Measurement>& runs) {
     reports::Refinement found{.quantity = measure.what,
                               .of = series.of,
                               .direction = series.direction,
@@ -69,7 +68,7 @@ reports::Refinement refinement(const Series& series, const Measure& measure,
                               .sizes = sizes,
                               .size_unit = series.direction == "dt" ? "us" : "um"};
     found.used = sizes[series.used];
-    for (const auto& burn : burns) found.values.push_back(measure.of(*burn));
+    for (const auto& run : runs) found.values.push_back(value(run, measure.what));
     const auto limit = reports::extrapolate(sizes, found.values, formal_order);
     if (std::isnan(limit.value)) {
         found.verdict = "no change";
@@ -126,118 +125,23 @@ std::vector<Series> all_series(Fidelity fidelity) {
     return all;
 }
 
-std::vector<Scene> scenes_of(const Series& series) {
-    std::vector<Scene> scenes;
+std::vector<Run> runs(const Series& series) {
+    std::vector<Run> runs;
     for (const Resolution& resolution : series.resolutions)
-        scenes.push_back(series.scene(resolution));
-    return scenes;
+        runs.push_back(run_of(series, resolution));
+    return runs;
 }
 
-std::vector<reports::Refinement> refinements(const Series& series, const Request& request) {
+std::vector<reports::Refinement> refinements(const Series& series, const Records& records) {
     std::vector<double> sizes;
-    std::vector<std::shared_ptr<const Burn>> burns;
-    for (const Scene& scene : scenes_of(series)) {
-        sizes.push_back(size_of(scene, series.direction));
-        burns.push_back(kept_burn(scene, request));
+    std::vector<reports::Measurement> measurements;
+    for (const Run& run : runs(series)) {
+        sizes.push_back(size_of(run.scenes.front(), series.direction));
+        measurements.push_back(found(records(run)));
     }
     std::vector<reports::Refinement> all;
     for (const Measure& measure : series.measures)
-        all.push_back(refinement(series, measure, sizes, burns));
-    return all;
-}
-
-namespace {
-
-const reports::Refinement* find(const std::vector<reports::Refinement>& refinements,
-                                const std::string& of, const std::string& quantity,
-                                const std::string& direction) {
-    const auto found = std::ranges::find_if(refinements, [&](const auto& r) {
-        return r.of == of && r.quantity == quantity && r.direction == direction;
-    });
-    return found == refinements.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
-std::optional<double> index(const std::vector<reports::Refinement>& refinements,
-                            const std::string& of, const std::string& quantity,
-                            const std::string& direction) {
-    const auto* found = find(refinements, of, quantity, direction);
-    if (found == nullptr || found->verdict == diverging) return {};
-    return found->index;
-}
-
-std::string divergence(const std::vector<reports::Refinement>& refinements, const std::string& of,
-                       const std::string& quantity, const std::string& direction) {
-    const auto* found = find(refinements, of, quantity, direction);
-    if (found == nullptr || found->verdict != diverging) return {};
-    std::vector<std::string> values;
-    for (const double value : found->values) values.push_back(fmt::format("{:.4g}", value));
-    return fmt::format("No interval from the grid, for it does not converge there: {}.",
-                       fmt::join(values, ", "));
-}
-
-Packs packs(Fidelity fidelity) {
-    if (fidelity == Fidelity::draft) return {{40, 32, 100 * us, 0.04}, {1, 2}};
-    return {{60, 48, 50 * us, 0.135}, {1, 2, 3, 4, 5}};
-}
-
-namespace {
-
-const Subject random_pack("random_pack.toml");
-
-const std::vector<std::string> twice_the_flux = {"surface.heat_flux.AP=400 cal/(s cm2)",
-                                                 "surface.heat_flux.binder=320 cal/(s cm2)"};
-
-std::string seeded(unsigned long seed) {
-    return fmt::format("morphology.seed={}", seed);
-}
-
-std::vector<std::string> with(std::vector<std::string> set, unsigned long seed) {
-    set.push_back(seeded(seed));
-    return set;
-}
-
-/// Adds the measures of one burn a seed, named "<of>: <measure>".
-void add_spreads(std::vector<reports::Spread>& all, const std::string& of,
-                 const std::vector<unsigned long>& seeds,
-                 const std::vector<std::shared_ptr<const Burn>>& burns,
-                 const std::vector<Measure>& measures) {
-    for (const Measure& measure : measures) {
-        reports::Spread& found = all.emplace_back();
-        found.quantity = of + ": " + measure.what;
-        found.unit = measure.unit;
-        found.seeds = seeds;
-        for (const auto& burn : burns) found.values.push_back(measure.of(*burn));
-        found.mean = mean(found.values);
-        found.deviation = deviation(found.values);
-    }
-}
-
-}  // namespace
-
-std::vector<Scene> scenes_of(const Packs& packs) {
-    std::vector<Scene> scenes;
-    for (const unsigned long seed : packs.seeds) {
-        scenes.push_back(random_pack.coupled(packs.resolution, {seeded(seed)}));
-        scenes.push_back(random_pack.rigid(packs.resolution, {seeded(seed)}));
-        scenes.push_back(random_pack.coupled(packs.resolution, with(twice_the_flux, seed)));
-    }
-    return scenes;
-}
-
-std::vector<reports::Spread> spreads(const Packs& packs, const Request& request) {
-    std::vector<std::shared_ptr<const Burn>> coupled, rigid, twice;
-    for (const unsigned long seed : packs.seeds) {
-        const auto burnt = [&](const Scene& scene) { return kept_burn(scene, request); };
-        coupled.push_back(burnt(random_pack.coupled(packs.resolution, {seeded(seed)})));
-        rigid.push_back(burnt(random_pack.rigid(packs.resolution, {seeded(seed)})));
-        twice.push_back(burnt(random_pack.coupled(packs.resolution, with(twice_the_flux, seed))));
-    }
-    std::vector<reports::Spread> all;
-    add_spreads(all, "pack", packs.seeds, coupled, of_pack);
-    add_spreads(all, "pack, 2Q", packs.seeds, twice, of_pack);
-    add_spreads(all, "pack, rigid", packs.seeds, rigid, of_rigid_pack);
+        all.push_back(refinement(series, measure, sizes, measurements));
     return all;
 }
 

@@ -44,6 +44,17 @@ std::string text(const Resolution& r) {
                        r.end / ms);
 }
 
+reports::Setting with(reports::Setting setting, const Resolution& r) {
+    return setting.set("columns", long(r.nx))
+        .set("rows", long(r.ny))
+        .set("step", reports::Amount{r.step / us, "us"})
+        .set("end", reports::Amount{r.end / ms, "ms"});
+}
+
+Finding finding(const Measure& measure, const Burn& burn, const std::string& prefix) {
+    return {prefix + measure.what, measure.of(burn), measure.unit};
+}
+
 double mean(const std::vector<double>& course) {
     return std::accumulate(course.begin(), course.end(), 0.0) / double(course.size());
 }
@@ -104,5 +115,31 @@ constinit const Measure height_of_profile{"height of the profile above the edge"
                                               const auto h = heights(b);  // from the axis outwards
                                               return (std::ranges::max(h) - h.back()) / um;
                                           }};
+
+std::vector<Measure> pack_measures() {
+    return {mean_burn_rate_of_all,  mean_temperature,         mean_strain,
+            mean_strain_about_peak, mean_pressure_about_peak, relief};
+}
+
+std::vector<Measure> rigid_pack_measures() {
+    return {mean_burn_rate_of_all, mean_temperature, relief};
+}
+
+std::vector<Measure> sandwich_measures() {
+    return {last_burn_rate,         last_temperature,         last_strain,
+            last_strain_about_peak, last_pressure_about_peak, outward_displacement,
+            height_of_profile};
+}
+
+std::vector<Measure> rigid_sandwich_measures() {
+    return {last_burn_rate, last_temperature, height_of_profile};
+}
+
+reports::Measurement measured(const Burn& burn, const std::vector<Measure>& measures) {
+    reports::Measurement found;
+    for (const Measure& measure : measures)
+        found.value(measure.what, reports::Amount{measure.of(burn), measure.unit});
+    return found;
+}
 
 }  // namespace crawford::ledger

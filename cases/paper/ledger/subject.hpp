@@ -6,6 +6,7 @@
 
 #include "cases/burn_store.hpp"
 #include "cases/registry.hpp"
+#include "reports/measurement.hpp"
 
 namespace crawford::ledger {
 
@@ -38,12 +39,18 @@ private:
 /// "120 x 96 cells, steps of 25 us"
 std::string text(const Resolution& resolution);
 
+/// Adds the axes columns, rows, step [us] and end [ms].
+reports::Setting with(reports::Setting setting, const Resolution& resolution);
+
 /// Number `what` of a burn.
 struct Measure {
     const char* what;
     const char* unit;
     double (*of)(const Burn&);  ///< in `unit`
 };
+
+/// As a case finds it, named as the measure is, after `prefix`.
+Finding finding(const Measure& measure, const Burn& burn, const std::string& prefix = {});
 
 /// Mean of the whole course of a burn, ignition and all: "the mean value for the time series".
 double mean(const std::vector<double>& course);
@@ -59,5 +66,14 @@ extern const Measure mean_burn_rate_of_all, mean_temperature, mean_strain, mean_
 /// window.
 extern const Measure last_burn_rate, last_temperature, last_strain, last_strain_about_peak,
     last_pressure_about_peak, outward_displacement, height_of_profile;
+
+/// Those that are refined, and of packs also spread.
+std::vector<Measure> pack_measures();
+std::vector<Measure> rigid_pack_measures();
+std::vector<Measure> sandwich_measures();
+std::vector<Measure> rigid_sandwich_measures();
+
+/// All of these of one burn, by their names.
+reports::Measurement measured(const Burn& burn, const std::vector<Measure>& measures);
 
 }  // namespace crawford::ledger
