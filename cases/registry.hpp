@@ -64,7 +64,7 @@ struct Entry {
     std::vector<std::string> physics = {};  ///< headings of physics.hpp, besides what studies cover
     Cost cost = {};
     std::function<Outcome(const Request&)> draw = {};
-    /// The scenes whose burns `draw` will ask for (burn_store.hpp), so that they can be made side
+    /// The scenes whose burns `draw` will ask for (kept_burn.hpp), so that they can be made side
     /// by side before.
     std::function<std::vector<Scene>(Fidelity)> burns = {};
     /// Draws <case>.gif instead, for `crawford run --movie`; and the burns that it will ask for.

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <iostream>
+#include <optional>
 
+#include "base/terminal.hpp"
 #include "program/commands.hpp"
+#include "solver/run/timing_table.hpp"
 #include "solver/scene/read_scene.hpp"
 
 namespace crawford {
@@ -22,19 +26,33 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
         outcome.summary.largest_strain, outcome.step, outcome.seconds, files.directory.string());
 }
 
+/// Shows on a terminal how far a run has come.
+class Watch {
+public:
+    void operator()(const BurnProgress& at) {
+        if (!line_) line_.emplace(std::cerr, stderr_is_terminal(), at.first_step, at.last_step);
+        line_->show(at.now);
+    }
+
+private:
+    std::optional<Progress> line_;
+};
+
 }  // namespace
 
 int burn(const BurnSceneOptions& options, const CommandLine& command) {
     const Scene scene = read_scene(options.scene, options.set);
     const std::string name = options.scene.stem().string();
-    const BurnOptions files{
+    Watch watch;
+    BurnOptions files{
         .name = name,
         .directory = options.out.empty() ? std::filesystem::path("out") / name : options.out,
         .restart = options.restart,
-        .command = command,
-        .quiet = options.quiet,
-        .timing = options.timing};
-    tell(burn(scene, files), files);
+        .command = command};
+    if (!options.quiet) files.watch = std::ref(watch);
+    const BurnOutcome outcome = burn(scene, files);
+    if (options.timing) std::cout << timing_table(outcome.timing, outcome.seconds, outcome.steps);
+    tell(outcome, files);
     return exit_code::done;
 }
 

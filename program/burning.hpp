@@ -1,4 +1,4 @@
-/// Burns as tasks.
+/// Burns as jobs.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace crawford {
 
-/// One task for each of the scenes whose burn is not kept under `out`, equal ones once.
-std::vector<Job> burnings(const std::vector<Scene>& scenes, Fidelity fidelity,
-                          const std::filesystem::path& out);
+/// One job for each run of these scenes that is not kept under `out`: each run once, with the
+/// output that serves all who ask for it.
+std::vector<Job> burnings(const std::vector<Scene>& scenes, const std::filesystem::path& out);
 
 }  // namespace crawford

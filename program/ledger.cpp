@@ -70,7 +70,7 @@ private:
         std::vector<Scene> scenes;
         for (const ledger::Run& run : runs)
             scenes.insert(scenes.end(), run.scenes.begin(), run.scenes.end());
-        return burnings(scenes, fidelity_, out_);
+        return burnings(scenes, out_);
     }
 
     std::vector<Job> jobs_of(const std::vector<ledger::Run>& runs) {

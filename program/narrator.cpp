@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "base/progress.hpp"
+#include "base/terminal.hpp"
 
 namespace crawford {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "base/progress.hpp"
+#include "base/terminal.hpp"
 
 namespace crawford {
 

@@ -86,7 +86,7 @@ private:
         for (const Entry* entry : chosen_)
             if (entry->burns)
                 for (const Scene& scene : entry->burns(fidelity_)) scenes.push_back(scene);
-        std::vector<Job> tasks = burnings(scenes, fidelity_, options_.out);
+        std::vector<Job> tasks = burnings(scenes, options_.out);
         for (const Entry* entry : chosen_)
             if (!entry->burns) tasks.push_back(drawing(*entry));
         return tasks;

@@ -13,7 +13,7 @@
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
 #include "base/program_fingerprint.hpp"
-#include "base/progress.hpp"
+#include "base/terminal.hpp"
 #include "cases/terms.hpp"
 #include "program/choose.hpp"
 #include "program/chosen_grids.hpp"

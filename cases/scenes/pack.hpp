@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cases/burn_store.hpp"
+#include "cases/kept_burn.hpp"
 #include "cases/registry.hpp"
 
 namespace crawford {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/burn_store.hpp"
+#include "cases/kept_burn.hpp"
 #include "cases/registry.hpp"
 #include "cases/scene_text.hpp"
 #include "reports/figure_data.hpp"

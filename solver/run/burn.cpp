@@ -3,18 +3,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <iostream>
 #include <utility>
 
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
 #include "base/errors.hpp"
-#include "base/progress.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/manifest.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/run/recorder.hpp"
-#include "solver/run/timing_table.hpp"
 #include "solver/scene/write_scene.hpp"
 
 namespace crawford {
@@ -67,8 +64,6 @@ private:
     }
 
     void advance(Recorder& recorder) {
-        Progress progress(std::cerr, !options_.quiet && stderr_is_terminal(),
-                          simulation_.state().step, last_step_);
         const State& state = simulation_.state();
         Summary summary;
         const Observer summarise = [&](Simulation& simulation, double) {
@@ -79,8 +74,10 @@ private:
             recorder.record(simulation, summary, before, steadiness_.window());
         };
         const Observer show = [&](Simulation&, double) {
-            progress.show({state.step, state.time, summary.mean_burn_rate});
-            if (options_.progress) options_.progress(double(state.step) / double(last_step_));
+            if (options_.watch)
+                options_.watch({manifest_.first_step,
+                                last_step_,
+                                {state.step, state.time, summary.mean_burn_rate}});
         };
         const Stop at_end = at_the_end(simulation_);
         const Stop ended = [&](const Simulation& simulation) {
@@ -113,11 +110,14 @@ private:
     BurnOutcome outcome(const std::filesystem::path& checkpoint) const {
         const State& state = simulation_.state();
         const std::chrono::duration<double> wall = Clock::now() - started_;
-        if (options_.timing)
-            std::cout << timing_table(simulation_.timing(), wall.count(),
-                                      state.step - manifest_.first_step);
-        return {state.step,   state.time, steadiness_.reached(), simulation_.summary(),
-                wall.count(), checkpoint};
+        return {.step = state.step,
+                .time = state.time,
+                .steady = steadiness_.reached(),
+                .summary = simulation_.summary(),
+                .seconds = wall.count(),
+                .steps = state.step - manifest_.first_step,
+                .timing = simulation_.timing(),
+                .checkpoint = checkpoint};
     }
 
     const BurnOptions& options_;

@@ -8,20 +8,24 @@
 #include <string>
 #include <vector>
 
+#include "solver/run/progress.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
 
+/// How far a run has come.
+struct BurnProgress {
+    long first_step, last_step;  ///< that it began after, and that it goes to
+    Standing now;
+};
+
 struct BurnOptions {
-    std::string name;                                   ///< what the files' names begin with
-    std::filesystem::path directory;                    ///< where they go; created if missing
-    std::optional<std::filesystem::path> restart = {};  ///< a checkpoint to go on from
-    std::vector<std::string> command = {};              ///< the command line, for the manifest
-    std::vector<std::uint64_t> seeds = {};              ///< of what was random in the scene
-    bool quiet = false;                                 ///< no progress on stderr
-    /// Told after each step how much is done, 0 to 1.
-    std::function<void(double)> progress = {};
-    bool timing = false;  ///< print the table of rooms on stdout
+    std::string name;                                     ///< what the files' names begin with
+    std::filesystem::path directory;                      ///< where they go; created if missing
+    std::optional<std::filesystem::path> restart = {};    ///< a checkpoint to go on from
+    std::vector<std::string> command = {};                ///< the command line, for the manifest
+    std::vector<std::uint64_t> seeds = {};                ///< of what was random in the scene
+    std::function<void(const BurnProgress&)> watch = {};  ///< told after each step
 };
 
 struct BurnOutcome {
@@ -30,13 +34,15 @@ struct BurnOutcome {
     bool steady;                       ///< ended by time.until_steady
     Summary summary;                   ///< of the last step
     double seconds;                    ///< wall time of the steps and their output
+    long steps;                        ///< done by this run
+    std::vector<ModuleTime> timing;    ///< of each module
     std::filesystem::path checkpoint;  ///< of the last state
 };
 
 /// Runs to time.end or until it is steady, and writes history, snapshots, checkpoints and
-/// manifest.json. The last state always gets a snapshot and a checkpoint. \throws InputError before
-/// anything is computed if the checkpoint is not of this scene or the directory is not
-///         writable; later if a file cannot be written.
+/// manifest.json. The last state always gets a snapshot and a checkpoint. Prints nothing.
+/// \throws InputError before anything is computed if the checkpoint is not of this scene or the
+/// directory is not writable; later if a file cannot be written.
 /// \throws NumericalFailure if a step fails; snapshot and checkpoint of the last good state are
 /// then written and named.
 BurnOutcome burn(const Scene& scene, const BurnOptions& options, const Sources& sources = {});

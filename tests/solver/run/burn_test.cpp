@@ -34,7 +34,6 @@ protected:
         BurnOptions options;
         options.name = "run";
         options.directory = directory / name;
-        options.quiet = true;
         return options;
     }
     std::string manifest_outcome(const std::string& name) const {
@@ -159,14 +158,22 @@ TEST_F(OutputBurn, EndsEarlyWhenSteady) {
     EXPECT_EQ(burn(scene, again).step, outcome.step) << "the window is kept with the checkpoint";
 }
 
-TEST_F(OutputBurn, PrintsTheTimingOfItsRooms) {
-    BurnOptions timed = options("out");
-    timed.timing = true;
-    ::testing::internal::CaptureStdout();
-    burn(sandwich(), timed);
-    const std::string table = ::testing::internal::GetCapturedStdout();
-    for (const char* word : {"projection", "heat", "set-up and output", "all 50 steps"})
-        EXPECT_NE(table.find(word), std::string::npos) << table;
+TEST_F(OutputBurn, BooksTheTimeOfItsModulesAndTellsWhoWatches) {
+    BurnOptions watched = options("out");
+    std::vector<long> steps;
+    watched.watch = [&](const BurnProgress& at) {
+        EXPECT_EQ(at.first_step, 0);
+        EXPECT_EQ(at.last_step, 50);
+        steps.push_back(at.now.step);
+    };
+    const BurnOutcome outcome = burn(sandwich(), watched);
+    EXPECT_EQ(steps.size(), 50U);
+    EXPECT_EQ(steps.back(), 50);
+    EXPECT_EQ(outcome.steps, 50);
+    for (const char* module : {"projection", "heat"})
+        EXPECT_NE(std::ranges::find(outcome.timing, module, &ModuleTime::module),
+                  outcome.timing.end())
+            << module;
 }
 
 }  // namespace

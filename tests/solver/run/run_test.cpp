@@ -6,8 +6,9 @@
 
 #include "base/build_info.hpp"
 #include "base/errors.hpp"
-#include "base/progress.hpp"
+#include "base/terminal.hpp"
 #include "solver/files/manifest.hpp"
+#include "solver/run/progress.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/run/steadiness.hpp"
 #include "solver/run/timing_table.hpp"

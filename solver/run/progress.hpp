@@ -14,14 +14,8 @@ struct Standing {
     double mean_burn_rate;  ///< [m/s]
 };
 
-/// "h:mm:ss" or, below an hour, "m:ss".
-std::string clock_time(double seconds);
-
 /// The line, at most 79 characters, so that no terminal of 80 columns breaks it.
 std::string progress_line(const Standing& standing, long last_step, double seconds_to_go);
-
-/// Whether stderr is a terminal: into a file or a pipe, progress is noise.
-bool stderr_is_terminal();
 
 class Progress {
 public:

@@ -1,9 +1,10 @@
-#include "base/progress.hpp"
+#include "solver/run/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cmath>
+#include <chrono>
+
+#include "base/terminal.hpp"
 
 namespace crawford {
 
@@ -13,12 +14,6 @@ constexpr size_t columns = 79;
 
 }  // namespace
 
-std::string clock_time(double seconds) {
-    const long whole = std::lround(seconds);
-    if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
 std::string progress_line(const Standing& standing, long last_step, double seconds_to_go) {
     const double percent = 100.0 * double(standing.step) / double(last_step);
     const double cm = 1e-2, ms = 1e-3;
@@ -26,10 +21,6 @@ std::string progress_line(const Standing& standing, long last_step, double secon
                        percent, standing.step, last_step, standing.time / ms,
                        standing.mean_burn_rate / cm, clock_time(seconds_to_go))
         .substr(0, columns);
-}
-
-bool stderr_is_terminal() {
-    return isatty(STDERR_FILENO) == 1;
 }
 
 Progress::Progress(std::ostream& terminal, bool shown, long first_step, long last_step)

@@ -1,0 +1,91 @@
+#include "solver/run/run_identity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "solver/run/loop.hpp"
+#include "solver/scene/write_scene.hpp"
+
+namespace crawford {
+
+namespace {
+
+/// An interval in steps; 0 for never.
+long steps_of(const std::optional<double>& interval, double step) {
+    return interval ? std::max(1L, std::lround(*interval / step)) : 0;
+}
+
+/// Whether all multiples of `wanted` are multiples of `kept`; never is among all.
+bool holds(long kept, long wanted) {
+    return wanted == 0 || (kept > 0 && wanted % kept == 0);
+}
+
+std::optional<double> common(const std::optional<double>& a, const std::optional<double>& b,
+                             double step) {
+    const long one = steps_of(a, step);
+    const long other = steps_of(b, step);
+    if (holds(one, other)) return a;
+    if (holds(other, one)) return b;
+    return double(std::gcd(one, other)) * step;
+}
+
+}  // namespace
+
+std::string identity_of(const Scene& scene) {
+    Scene bare = scene;
+    bare.title.clear();
+    bare.output = {};
+    return to_toml(bare);
+}
+
+bool covers(const Output& kept, const Output& wanted, double step) {
+    const auto held = [&](const std::optional<double>& a, const std::optional<double>& b) {
+        return holds(steps_of(a, step), steps_of(b, step));
+    };
+    return held(kept.snapshots_every, wanted.snapshots_every) &&
+           held(kept.checkpoint_every, wanted.checkpoint_every) &&
+           holds(kept.history_every, wanted.history_every);
+}
+
+Output united(const Output& a, const Output& b, double step) {
+    return {.snapshots_every = common(a.snapshots_every, b.snapshots_every, step),
+            .checkpoint_every = common(a.checkpoint_every, b.checkpoint_every, step),
+            .history_every = std::gcd(a.history_every, b.history_every)};
+}
+
+std::vector<Scene> united(const std::vector<Scene>& scenes) {
+    std::vector<Scene> runs;
+    std::vector<std::string> identities;
+    for (const Scene& scene : scenes) {
+        const std::string identity = identity_of(scene);
+        const auto known = std::ranges::find(identities, identity);
+        if (known == identities.end()) {
+            identities.push_back(identity);
+            runs.push_back(scene);
+            continue;
+        }
+        Output& output = runs[size_t(known - identities.begin())].output;
+        output = united(output, scene.output, scene.time.step);
+    }
+    return runs;
+}
+
+std::string run_title(const Scene& scene) {
+    constexpr double microsecond = 1e-6;
+    return fmt::format("{}, {} x {}, {:g} us{}", scene.title, scene.domain.nx, scene.domain.ny,
+                       scene.time.step / microsecond, scene.physics.mechanics ? "" : ", rigid");
+}
+
+double expected_seconds(const Scene& scene) {
+    // Measured on one core: 65 ms a step with mechanics and 4.4 ms without on 128 x 96 cells.
+    constexpr double with_mechanics = 5.3e-6, without = 0.36e-6;  // [s] a cell and step
+    const double cells = double(scene.domain.nx) / (scene.domain.half ? 2 : 1) * scene.domain.ny;
+    return cells * double(last_step(scene.time)) *
+           (scene.physics.mechanics ? with_mechanics : without);
+}
+
+}  // namespace crawford

@@ -1,0 +1,125 @@
+/// A run is known by what is burnt, not by what is written of it.
+#include "solver/run/kept_runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "base/scratch.hpp"
+#include "solver/run/run_identity.hpp"
+#include "solver/scene/read_scene.hpp"
+
+namespace crawford {
+namespace {
+
+/// A thermal sandwich that burns eight steps.
+Scene small_scene(double checkpoint_every) {
+    Scene scene = parse_scene(R"(
+title = "small"
+[domain]
+width = "240 um"
+depth = "480 um"
+nx = 8
+ny = 8
+[morphology]
+kind = "sandwich"
+strip = "60 um"
+[physics]
+mechanics = false
+[surface]
+heat_flux = { AP = "200 cal/(s cm2)", binder = "160 cal/(s cm2)" }
+[bottom]
+temperature = "300 K"
+[time]
+step = "20 us"
+end = "160 us"
+)");
+    scene.output.checkpoint_every = checkpoint_every;
+return scene;
+}
+
+class KeptRunsTest : public testing::Test {
+protected:
+    /// How often the run was told to go on while it was fetched: 0 if it was there.
+    int steps_to_get(const Scene& scene) {
+        int steps = 0;
+        runs_.get(scene, [&](double) { ++steps; });
+        return steps;
+    }
+
+    Scratch scratch_;
+    KeptRuns runs_{scratch_.path()};
+};
+
+TEST_F(KeptRunsTest, AreMadeOnceWhateverTheirTitle) {
+    Scene scene = small_scene(80e-6);
+    EXPECT_FALSE(runs_.has(scene));
+    EXPECT_EQ(steps_to_get(scene), 8);
+    EXPECT_TRUE(runs_.has(scene));
+    scene.title = "another";
+    EXPECT_EQ(steps_to_get(scene), 0);
+}
+
+TEST_F(KeptRunsTest, OfOtherPhysicsNumericsOrEndAreOthers) {
+    const Scene scene = small_scene(80e-6);
+    runs_.get(scene);
+    Scene other = scene;
+    other.bottom.temperature = 301.0;
+    EXPECT_FALSE(runs_.has(other));
+    other = scene;
+    other.numerics.heat_tolerance *= 2.0;
+    EXPECT_FALSE(runs_.has(other));
+    other = scene;
+    other.time.end *= 2.0;
+    EXPECT_FALSE(runs_.has(other));
+}
+
+TEST_F(KeptRunsTest, ServeWhoAsksForLessAndAreMadeAgainForMore) {
+    const Scene fine = small_scene(20e-6);
+    const Scene coarse = small_scene(40e-6);
+    const auto first = runs_.get(coarse);
+    EXPECT_THROW(first->at(20e-6), InputError);
+    EXPECT_FALSE(runs_.has(fine));
+    EXPECT_EQ(steps_to_get(fine), 8);
+    EXPECT_TRUE(runs_.has(coarse)) << "what it had it has still";
+    const auto second = runs_.get(coarse);
+    EXPECT_EQ(second->mean_burn_rate, first->mean_burn_rate) << "the same bits";
+    EXPECT_EQ(second->at(20e-6).time, 20e-6);
+}
+
+TEST_F(KeptRunsTest, OfUnequalIntervalsAreMadeWithBoth) {
+    runs_.get(small_scene(40e-6));
+    runs_.get(small_scene(60e-6));
+    EXPECT_TRUE(runs_.has(small_scene(40e-6)));
+    EXPECT_TRUE(runs_.has(small_scene(60e-6)));
+}
+
+TEST_F(KeptRunsTest, ThatAreDamagedAreMadeAnew) {
+    const Scene scene = small_scene(80e-6);
+    const auto run = runs_.get(scene);
+    std::filesystem::remove(run->directory / "manifest.json");
+    EXPECT_EQ(steps_to_get(scene), 8);
+}
+
+TEST(RunIdentity, UnitesWhatIsAskedOfOneRun) {
+    Scene other = small_scene(40e-6);
+    other.bottom.temperature = 301.0;
+    const auto runs = united(std::vector{small_scene(40e-6), other, small_scene(60e-6)});
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_DOUBLE_EQ(*runs[0].output.checkpoint_every, 20e-6);
+    EXPECT_DOUBLE_EQ(*runs[1].output.checkpoint_every, 40e-6);
+}
+
+TEST(RunIdentity, NeverIsCoveredByAnything) {
+    EXPECT_TRUE(covers({}, {}, 1e-6));
+    EXPECT_TRUE(covers({.checkpoint_every = 4e-6}, {}, 1e-6));
+    EXPECT_TRUE(covers({.checkpoint_every = 4e-6}, {.checkpoint_every = 8e-6}, 1e-6));
+    EXPECT_FALSE(covers({.checkpoint_every = 4e-6}, {.checkpoint_every = 6e-6}, 1e-6));
+    EXPECT_FALSE(covers({}, {.checkpoint_every = 6e-6}, 1e-6));
+    EXPECT_FALSE(covers({.history_every = 2}, {.history_every = 1}, 1e-6));
+}
+
+}  // namespace
+}  // namespace crawford
