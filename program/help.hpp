@@ -49,11 +49,17 @@ and what the studies cover, DIR/verify.json holds them for programs.
 gated: neither pass nor fail, and no verification. A study that is named may also be run on grids
 that it does not have.
 
+--against lists the gates that are gone, new or lost, and those whose finest error has changed by
+more than the factor of --grown: exit 1 if one has grown. With --exact any number that is not the
+same is listed, and anything listed is exit 1.
+
 Examples:
   crawford verify
   crawford verify --grids 32,64                   a quick look
   crawford verify heat 'slab, AP, beta = alpha K' entries of the catalogue, single studies
-  crawford verify slab --grids 32,64,128,256,512)";
+  crawford verify slab --grids 32,64,128,256,512
+  crawford verify --against before/verify.json    what has this change done?
+  crawford verify --judge-only --against before/verify.json --exact)";
 
 inline constexpr auto report = "Write the pages anew: figures, ledger, verification";
 

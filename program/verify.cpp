@@ -18,6 +18,7 @@
 #include "program/choose.hpp"
 #include "program/chosen_grids.hpp"
 #include "program/commands.hpp"
+#include "program/earlier_run.hpp"
 #include "program/narrator.hpp"
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
@@ -106,6 +107,7 @@ int verify(const VerifyOptions& options, const CommandLine& command) {
     const auto chosen = choose_studies(options.studies);
     const ChosenGrids grids(options, chosen);
     const auto tasks = tasks_of(chosen, grids);
+    const EarlierRun earlier(options);
     prepare_directory(options.out);
 
     Narrator narrator(options.quiet);
@@ -126,7 +128,8 @@ int verify(const VerifyOptions& options, const CommandLine& command) {
     reports::write(options.out / "verify.json", found);
     std::cout << reports::table(found.gates) << '\n' << found.summary();
     report({.out = options.out});
-    return found.fell_short() ? exit_code::gate_fell_short : exit_code::done;
+    const bool is_as_before = earlier.tell(found, grids.any());
+    return found.fell_short() || !is_as_before ? exit_code::gate_fell_short : exit_code::done;
 }
 
 }  // namespace crawford
