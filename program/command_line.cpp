@@ -99,6 +99,9 @@ struct Parser {
         verify_command->add_flag("--judge-only", verify.judge_only,
                                  "Run nothing: judge the records that lie in DIR/records");
         add_against();
+        verify_command->add_flag("--verbose", verify.verbose, "Print every gate in full");
+        verify_command->add_option("--junit", verify.junit, "Write JUnit XML, a test a gate")
+            ->type_name("FILE");
         add_out(verify_command, verify.out, "out/verify")->capture_default_str();
         add_quiet(verify_command, verify.quiet);
         verify_command->footer(help::verify_examples);

@@ -45,6 +45,8 @@ struct VerifyOptions {
     std::optional<std::filesystem::path> against;  ///< an earlier verify.json
     std::optional<double> grown;                   ///< factor >= 1, of what is listed against it
     bool exact = false;                            ///< against it, bit by bit
+    bool verbose = false;                          ///< print every gate in full
+    std::optional<std::filesystem::path> junit;    ///< JUnit XML to write
     std::filesystem::path out = "out/verify";
     bool quiet = false;
 };

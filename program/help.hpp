@@ -42,8 +42,10 @@ Examples:
 inline constexpr auto verify = "Hold the solver against its truths; exit 1 if a gate falls short";
 
 inline constexpr auto verify_examples = R"(
-Prints every gate with its errors, orders and reason. DIR/report.html shows them with their plots
-and what the studies cover, DIR/verify.json holds them for programs.
+Prints a line a study, and every gate that fell short (--verbose: every gate) with its errors,
+orders and reason. DIR/report.html shows them with their plots and what the studies cover,
+DIR/verify.json holds them for programs. Records of the runs are kept in DIR/records: what this very
+program has run there is not run again, and --judge-only judges them without running anything.
 
 --grids runs, of each study's own grids, only those listed. Gates that need others are then not
 gated: neither pass nor fail, and no verification. A study that is named may also be run on grids

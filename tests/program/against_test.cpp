@@ -93,5 +93,17 @@ TEST_F(ProgramAgainst, HoldsARunAgainstAnEarlierOne) {
     EXPECT_THAT(other.output, HasSubstr("other: slab-burning-law"));
 }
 
+TEST_F(ProgramAgainst, PrintsALineAStudyAndAllWhereAsked) {
+    const auto junit = out_ / "made" / "junit.xml";
+    const Finished short_one = verify({"--junit", junit.string()});
+    EXPECT_THAT(short_one.output, HasSubstr("  pass "));
+    EXPECT_THAT(short_one.output, testing::Not(HasSubstr("because")));
+    EXPECT_TRUE(fs::exists(junit));
+    EXPECT_THAT(verify({"--judge-only", "--verbose"}).output, HasSubstr("because"));
+    const Finished refused = verify({"--junit", "/dev/null/junit.xml"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.output, HasSubstr("/dev/null"));
+}
+
 }  // namespace
 }  // namespace crawford
