@@ -106,9 +106,30 @@ struct Parser {
             ->excludes("--grids");
         verify_command->add_flag("--judge-only", verify.judge_only,
                                  "Run nothing: judge the records that lie in DIR/records");
+        add_against();
+        verify_command->add_flag("--verbose", verify.verbose, "Print every gate in full");
+        verify_command->add_option("--junit", verify.junit, "Write JUnit XML, a test a gate")
+            ->type_name("FILE");
         add_out(verify_command, verify.out, "out/verify")->capture_default_str();
         add_quiet(verify_command, verify.quiet);
         verify_command->footer(help::verify_examples);
+    }
+
+    void add_against() {
+        CLI::Option* against =
+            verify_command
+                ->add_option("--against", verify.against,
+                             "List what is gone, new or other than in this earlier verify.json")
+                ->type_name("FILE");
+        verify_command
+            ->add_option("--grown", verify.grown,
+                         "Factor by which the finest error of a gate may grow, else 1.05")
+            ->type_name("FACTOR")
+            ->needs(against);
+        verify_command
+            ->add_flag("--exact", verify.exact,
+                       "Against it, every number must be the same, bit by bit")
+            ->needs(against);
     }
 
     void add_report() {

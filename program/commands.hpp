@@ -44,6 +44,11 @@ struct VerifyOptions {
     std::vector<int> grids;            ///< each study's own if empty; see help.hpp
     std::string axis;                  ///< "rows=32,64": as grids, of the studies that refine it
     bool judge_only = false;           ///< run nothing, judge the records that are there
+    std::optional<std::filesystem::path> against;  ///< an earlier verify.json
+    std::optional<double> grown;                   ///< factor >= 1, of what is listed against it
+    bool exact = false;                            ///< against it, bit by bit
+    bool verbose = false;                          ///< print every gate in full
+    std::optional<std::filesystem::path> junit;    ///< JUnit XML to write
     std::filesystem::path out = "out/verify";
     bool quiet = false;
 };

@@ -43,18 +43,26 @@ Examples:
 inline constexpr auto verify = "Hold the solver against its truths; exit 1 if a gate falls short";
 
 inline constexpr auto verify_examples = R"(
-Prints every gate with its errors, orders and reason. DIR/report.html shows them with their plots
-and what the studies cover, DIR/verify.json holds them for programs.
+Prints a line a study, and every gate that fell short (--verbose: every gate) with its errors,
+orders and reason. DIR/report.html shows them with their plots and what the studies cover,
+DIR/verify.json holds them for programs. Records of the runs are kept in DIR/records: what this very
+program has run there is not run again, and --judge-only judges them without running anything.
 
 --grids runs, of each study's own grids, only those listed. Gates that need others are then not
 gated: neither pass nor fail, and no verification. A study that is named may also be run on grids
 that it does not have.
 
+--against lists the gates that are gone, new or lost, and those whose finest error has changed by
+more than the factor of --grown: exit 1 if one has grown. With --exact any number that is not the
+same is listed, and anything listed is exit 1.
+
 Examples:
   crawford verify
   crawford verify --grids 32,64                   a quick look
   crawford verify heat 'slab, AP, beta = alpha K' entries of the catalogue, single studies
-  crawford verify slab --grids 32,64,128,256,512)";
+  crawford verify slab --grids 32,64,128,256,512
+  crawford verify --against before/verify.json    what has this change done?
+  crawford verify --judge-only --against before/verify.json --exact)";
 
 inline constexpr auto report = "Write the pages anew: figures, ledger, verification";
 

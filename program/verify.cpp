@@ -18,10 +18,13 @@
 #include "program/choose.hpp"
 #include "program/chosen_grids.hpp"
 #include "program/commands.hpp"
+#include "program/earlier_run.hpp"
 #include "program/narrator.hpp"
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
+#include "reports/brief.hpp"
 #include "reports/judgement.hpp"
+#include "reports/junit.hpp"
 #include "reports/verification.hpp"
 
 namespace crawford {
@@ -106,7 +109,9 @@ int verify(const VerifyOptions& options, const CommandLine& command) {
     const auto chosen = choose_studies(options.studies);
     const ChosenGrids grids(options, chosen);
     const auto tasks = tasks_of(chosen, grids);
+    const EarlierRun earlier(options);
     prepare_directory(options.out);
+    if (options.junit) prepare_directory(absolute(*options.junit).parent_path());
 
     Narrator narrator(options.quiet);
     const FileLock lock(options.out / ".lock", [&] {
@@ -124,9 +129,12 @@ int verify(const VerifyOptions& options, const CommandLine& command) {
     found.manifest = manifest(command, started);
 
     reports::write(options.out / "verify.json", found);
-    std::cout << reports::table(found.gates) << '\n' << found.summary();
+    if (options.junit) reports::write_junit(*options.junit, found);
+    std::cout << (options.verbose ? reports::table(found.gates) : reports::brief(found)) << '\n'
+              << found.summary();
     report({.out = options.out});
-    return found.fell_short() ? exit_code::gate_fell_short : exit_code::done;
+    const bool is_as_before = earlier.tell(found, grids.any());
+    return found.fell_short() || !is_as_before ? exit_code::gate_fell_short : exit_code::done;
 }
 
 }  // namespace crawford

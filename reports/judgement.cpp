@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
+
+#include "reports/wrapped.hpp"
 
 namespace crawford::reports {
 namespace {
@@ -13,24 +14,8 @@ namespace {
 constexpr std::size_t width = 100;
 constexpr std::size_t grids_per_line = 8;
 
-/// `text` broken at spaces so that no line exceeds the width (longer words are cut); every line
-/// begins with `indent`.
 std::string wrapped(const std::string& text, const std::string& indent) {
-    std::string lines, line;
-    const std::size_t room = width - indent.size();
-    const auto flush = [&] {
-        if (!line.empty()) lines += indent + line + '\n';
-        line.clear();
-    };
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        if (!line.empty() && line.size() + 1 + word.size() > room) flush();
-        for (; word.size() > room; word.erase(0, room))
-            lines += indent + word.substr(0, room) + '\n';
-        line += line.empty() ? word : ' ' + word;
-    }
-    flush();
-    return lines;
+    return reports::wrapped(text, indent, width);
 }
 
 std::string row(const std::string& label, const std::vector<std::string>& cells) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/atomic_file.hpp"
+#include "base/errors.hpp"
 #include "reports/gate_json.hpp"
 #include "reports/judgement.hpp"
 
@@ -95,6 +96,17 @@ Verification read_verification(const std::filesystem::path& file) {
         return v;
     } catch (const Json::exception& problem) {
         throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
+    }
+}
+
+std::vector<GateResult> read_gates(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in) throw InputError(fmt::format("{} cannot be read", file.string()));
+    try {
+        return Json::parse(in).at("gates").get<std::vector<GateResult>>();
+    } catch (const Json::exception& problem) {
+        throw InputError(
+            fmt::format("{} is no verify.json of crawford: {}", file.string(), problem.what()));
     }
 }
 

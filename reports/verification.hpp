@@ -50,4 +50,8 @@ void write(const std::filesystem::path& file, const Verification& verification);
 /// \throws std::runtime_error naming the file and what is missing or wrong in it.
 Verification read_verification(const std::filesystem::path& file);
 
+/// Only the gates, of a file of this or an earlier version.
+/// \throws InputError naming the file, in one line.
+std::vector<GateResult> read_gates(const std::filesystem::path& file);
+
 }  // namespace crawford::reports

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "reports/verification.hpp"
+
+namespace crawford::reports {
+
+/// What a run has found, for a terminal: a line of at most 80 columns for each study (gates passed
+/// and in all, how it came out, seconds), then, as table(), every gate that fell short.
+std::string brief(const Verification& verification);
+
+}  // namespace crawford::reports
