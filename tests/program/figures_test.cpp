@@ -94,8 +94,8 @@ TEST_F(ProgramFigures, AreDrawnAnewAtAnotherFidelity) {
 /// A figure of lines and one with a map, drawn again from what they have left.
 TEST_F(ProgramFigures, AreDrawnAgainFromTheirRecords) {
     for (const std::string name : {"fig01", "fig12"}) {
-        draw(name, "out");
-        const fs::path figures = scratch_ / "out" / "figures";
+        draw(name, name);
+        const fs::path figures = scratch_ / name / "figures";
         std::map<std::string, std::string> before;
         for (const std::string& file : names(figures)) {
             before[file] = content(figures / file);
