@@ -102,7 +102,7 @@ TEST_F(ProgramFigures, AreDrawnAgainFromTheirRecords) {
             if (!file.ends_with(".csv") && !file.ends_with(".json")) fs::remove(figures / file);
         }
         const Finished again = run_program(
-            {program_path(), "run", name, "--from-records", "--out", (scratch_ / "out").string()});
+            {program_path(), "run", name, "--from-records", "--out", (scratch_ / name).string()});
         EXPECT_EQ(again.status, 0) << again.output;
         for (const auto& [file, bytes] : before) EXPECT_EQ(content(figures / file), bytes) << file;
     }
