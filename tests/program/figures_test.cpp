@@ -94,15 +94,15 @@ TEST_F(ProgramFigures, AreDrawnAnewAtAnotherFidelity) {
 /// A figure of lines and one with a map, drawn again from what they have left.
 TEST_F(ProgramFigures, AreDrawnAgainFromTheirRecords) {
     for (const std::string name : {"fig01", "fig12"}) {
-        draw(name, "out");
-        const fs::path figures = scratch_ / "out" / "figures";
+        draw(name, name);
+        const fs::path figures = scratch_ / name / "figures";
         std::map<std::string, std::string> before;
         for (const std::string& file : names(figures)) {
             before[file] = content(figures / file);
             if (!file.ends_with(".csv") && !file.ends_with(".json")) fs::remove(figures / file);
         }
         const Finished again = run_program(
-            {program_path(), "run", name, "--from-records", "--out", (scratch_ / "out").string()});
+            {program_path(), "run", name, "--from-records", "--out", (scratch_ / name).string()});
         EXPECT_EQ(again.status, 0) << again.output;
         for (const auto& [file, bytes] : before) EXPECT_EQ(content(figures / file), bytes) << file;
     }
