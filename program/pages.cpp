@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
@@ -36,12 +37,12 @@ std::vector<std::string> names(const std::vector<fs::path>& files) {
 }
 
 /// What the page does not show in a section of its own; empty if there is no manifest.
-Json rest_of_manifest(const fs::path& figures, const std::string& name) {
+std::string rest_of_manifest(const fs::path& figures, const std::string& name) {
     std::ifstream file(manifest_of(figures, name));
     auto manifest = Json::parse(file, nullptr, false);
-    if (!manifest.is_object()) return Json::object();
+    if (!manifest.is_object()) return "{}";
     for (const char* shown : {"findings", "scenes", "pictures", "data"}) manifest.erase(shown);
-    return manifest;
+    return manifest.dump();
 }
 
 std::string command_of(const Entry& entry, const std::string& fidelity, const fs::path& out) {

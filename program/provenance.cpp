@@ -6,9 +6,14 @@
 namespace crawford {
 
 nlohmann::ordered_json provenance(const CommandLine& command) {
-    return {{"program", "crawford"},  {"version", version()}, {"revision", revision()},
-            {"compiler", compiler()}, {"flags", flags()},     {"libraries", libraries()},
-            {"machine", machine()},   {"command", command}};
+    return {{"program", "crawford"},
+            {"version", version()},
+            {"revision", revision()},
+            {"compiler", compiler()},
+            {"flags", flags()},
+            {"libraries", nlohmann::ordered_json::parse(libraries())},
+            {"machine", nlohmann::ordered_json::parse(machine())},
+            {"command", command}};
 }
 
 }  // namespace crawford

@@ -75,11 +75,11 @@ reports::Verification collected(const std::vector<ChosenStudy>& chosen,
     return found;
 }
 
-nlohmann::ordered_json manifest(const CommandLine& command, Clock::time_point started) {
+std::string manifest(const CommandLine& command, Clock::time_point started) {
     auto members = provenance(command);
     members["wall_seconds"] = std::chrono::duration<double>(Clock::now() - started).count();
     members["ended"] = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
-    return members;
+    return members.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 void tell(Narrator& narrator, const reports::Progress& p) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "reports/json_member.hpp"
 #include "reports/ledger.hpp"
+#include "reports/member_json.hpp"
 
 namespace crawford::reports {
 

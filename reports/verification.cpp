@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "base/atomic_file.hpp"
@@ -72,7 +73,7 @@ std::string Verification::summary() const {
 }
 
 void write(const std::filesystem::path& file, const Verification& v) {
-    Json document = v.manifest;
+    Json document = Json::parse(v.manifest);
     document["passed"] = v.passed();
     document["whole"] = v.whole;
     document["terms"] = v.terms;
@@ -86,13 +87,14 @@ Verification read_verification(const std::filesystem::path& file) {
     if (!in) throw std::runtime_error(fmt::format("{} cannot be read", file.string()));
     try {
         Verification v;
-        v.manifest = Json::parse(in);
-        v.manifest.at("whole").get_to(v.whole);
-        v.manifest.at("terms").get_to(v.terms);
-        v.manifest.at("studies").get_to(v.studies);
-        v.manifest.at("gates").get_to(v.gates);
+        Json document = Json::parse(in);
+        document.at("whole").get_to(v.whole);
+        document.at("terms").get_to(v.terms);
+        document.at("studies").get_to(v.studies);
+        document.at("gates").get_to(v.gates);
         for (const char* key : {"passed", "whole", "terms", "studies", "gates"})
-            v.manifest.erase(key);
+            document.erase(key);
+        v.manifest = document.dump();
         return v;
     } catch (const Json::exception& problem) {
         throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));

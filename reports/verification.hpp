@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -25,7 +24,7 @@ struct StudyRecord {
 };
 
 struct Verification {
-    nlohmann::ordered_json manifest;  ///< Version, revision, machine, ...
+    std::string manifest = "{}";  ///< Version, revision, machine, ...: a JSON object as text
     /// All studies on all their grids: then there must be no gap in the coverage.
     bool whole = false;
     std::vector<std::string> terms;  ///< Of the model's equations

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +32,7 @@ struct DrawnCase {
     std::vector<std::string> data = {};      ///< Likewise, the numbers behind them
     std::vector<FoundNumber> findings = {};
     std::vector<std::string> scenes = {};  ///< TOML
-    nlohmann::ordered_json manifest = {};  ///< What else is known of the run
+    std::string manifest = "{}";           ///< What else is known of the run: a JSON object as text
 };
 
 /// Studies of the catalogue that verify what the figures rest on.

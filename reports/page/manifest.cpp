@@ -33,7 +33,8 @@ std::string member(const Json& object, const char* key) {
 
 }  // namespace
 
-Html circumstances(const Json& members) {
+Html circumstances(const std::string& text) {
+    const auto members = Json::parse(text);
     std::vector<std::string> facts{"revision " + member(members, "revision")};
     if (members.contains("fidelity")) facts.push_back("fidelity " + member(members, "fidelity"));
     if (members.contains("wall_seconds"))
@@ -47,7 +48,8 @@ Html circumstances(const Json& members) {
     return styled("p", "facts", fmt::format("{}", fmt::join(facts, " \u00b7 ")));
 }
 
-Html manifest(const Json& members) {
+Html manifest(const std::string& text) {
+    const auto members = Json::parse(text);
     Html rows;
     for (const auto& [key, value] : members.items())
         rows += element("tr", {}, element("th", {}, key) + element("td", {}, spoken(value))) + "\n";

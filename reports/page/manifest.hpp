@@ -1,15 +1,16 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "reports/page/html.hpp"
 
+/// Of a manifest: a JSON object as text.
 namespace crawford::reports::page {
 
 /// When, on what and from which sources, in a line: what of it the manifest says.
-Html circumstances(const nlohmann::ordered_json& members);
+Html circumstances(const std::string& text);
 
 /// What the results were computed with and on, member by member.
-Html manifest(const nlohmann::ordered_json& members);
+Html manifest(const std::string& text);
 
 }  // namespace crawford::reports::page

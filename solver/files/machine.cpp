@@ -19,6 +19,13 @@ namespace crawford {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+/// Names come from the system, in whatever bytes it has.
+std::string text_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// What follows `key`, separators and quotes on the first line of `path` that begins with it.
 std::string value_in(const char* path, const std::string& key) {
     std::ifstream file(path);
@@ -59,22 +66,22 @@ std::string cholmod() {
 
 }  // namespace
 
-nlohmann::ordered_json machine() {
+std::string machine() {
     const long memory = sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGE_SIZE);
-    return {{"processor", value_in("/proc/cpuinfo", "model name")},
-            {"cores", std::thread::hardware_concurrency()},
-            {"memory_bytes", memory},
-            {"system", system_name()}};
+    return text_of({{"processor", value_in("/proc/cpuinfo", "model name")},
+                    {"cores", std::thread::hardware_concurrency()},
+                    {"memory_bytes", memory},
+                    {"system", system_name()}});
 }
 
-nlohmann::ordered_json libraries() {
-    return {{"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-                                  EIGEN_MINOR_VERSION)},
-            {"CHOLMOD", cholmod()},
-            {"BLAS", blas()},
-            {"HDF5", hdf5()},
-            {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
-                                  BOOST_VERSION % 100)}};
+std::string libraries() {
+    return text_of({{"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                                          EIGEN_MINOR_VERSION)},
+                    {"CHOLMOD", cholmod()},
+                    {"BLAS", blas()},
+                    {"HDF5", hdf5()},
+                    {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000,
+                                          BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)}});
 }
 
 long peak_memory() {

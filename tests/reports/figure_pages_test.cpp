@@ -182,7 +182,7 @@ page::FigureBook book() {
                    .data = {"fig07_map.csv"},
                    .findings = {{"peak", 1.5, "MPa"}, {"order", nan, "-"}},
                    .scenes = {"title = \"s\"\n"},
-                   .manifest = {{"revision", "abc"}}},
+                   .manifest = R"({"revision":"abc"})"},
                   {.name = "model", .figure = "-", .shows = "model form"}},
         .not_drawn = {"fig08"},
         .studies = {{.name = "slab",

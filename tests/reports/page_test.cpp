@@ -57,7 +57,7 @@ Verification verified(double order) {
     study.gate("T", Norm::L2, expect(order).within(0.1).from(16), "h & no more")
         .bound("T_s", 64, between(0, 2), "any");
     Verification v;
-    v.manifest = {{"revision", "abc"}, {"wall_seconds", 3.0}, {"machine", {{"cores", 2}}}};
+    v.manifest = R"({"revision":"abc","wall_seconds":3.0,"machine":{"cores":2}})";
     v.whole = true;
     v.terms = {"heat", "stress"};
     v.studies = {{.name = "rod, <thin>",

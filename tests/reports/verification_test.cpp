@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "reports/coverage.hpp"
@@ -32,7 +33,7 @@ Verification some() {
         .limit_bound("T_s", 1.0, at_most(1.001), "1 + 1/n tends to 1")
         .gate("T", Norm::L1, expect(1.0).within(0.1), "never measured");
     Verification v;
-    v.manifest = {{"revision", "abc"}};
+    v.manifest = R"({"revision":"abc"})";
     v.terms = {"heat", "stress"};
     v.studies = {
         {.name = "bar", .entry = "rod", .page = "# Bar", .covers = {"heat"}, .grids = {8, 16, 32}}};

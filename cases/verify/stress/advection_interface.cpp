@@ -79,7 +79,7 @@ double leak(int cells, Element element, double direction) {
     const StressField before = held(materials, grid, element);
     StressField stress = before;
     const double dt = grid.height(grid.rows() - 1) / (3.0 * cm / s);
-    step.predict(stress, {surface, surface_rate, velocity, no_heat}, no_heat, 0.0, dt);
+    step.predict(stress, {surface, surface_rate, velocity}, no_heat, 0.0, dt);
     return largest_change(before, stress);
 }
 

@@ -1,4 +1,4 @@
-#include "reports/json_member.hpp"
+#include "reports/member_json.hpp"
 
 #include <fmt/format.h>
 
