@@ -118,10 +118,10 @@ reports::Ledger settle(const LedgerOptions& options, const CommandLine& command)
         [&](const std::string& entry, const std::string& what) {
             return found(store, entry, what);
         });
-    settled.manifest = provenance(command);
-    settled.manifest["fidelity"] = options.fidelity;
-    settled.manifest["wall_seconds"] =
-        std::chrono::duration<double>(Clock::now() - started).count();
+    auto manifest = provenance(command);
+    manifest["fidelity"] = options.fidelity;
+    manifest["wall_seconds"] = std::chrono::duration<double>(Clock::now() - started).count();
+    settled.manifest = manifest.dump();
     return settled;
 }
 

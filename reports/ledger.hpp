@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -97,7 +96,7 @@ struct Spread {
 };
 
 struct Ledger {
-    nlohmann::ordered_json manifest;  ///< Version, revision, fidelity, machine, ...
+    std::string manifest = "{}";  ///< version, revision, fidelity, machine, ...: JSON
     std::vector<LedgerRow> rows;
     std::vector<ReadingMatrix> readings;
     std::vector<Refinement> refinements;

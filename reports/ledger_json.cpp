@@ -73,7 +73,7 @@ void to_json(Json& json, const Spread& spread) {
 }
 
 void to_json(Json& json, const Ledger& ledger) {
-    json = {{"manifest", ledger.manifest.is_null() ? Json::object() : ledger.manifest},
+    json = {{"manifest", Json::parse(ledger.manifest)},
             {"rows", ledger.rows},
             {"readings", ledger.readings},
             {"refinements", ledger.refinements},
@@ -161,7 +161,7 @@ Spread spread(const JsonMember& json) {
 
 Ledger ledger_of(const JsonMember& json) {
     Ledger ledger;
-    ledger.manifest = json.at("manifest").object();
+    ledger.manifest = json.at("manifest").object().dump();
     for (const JsonMember& item : json.at("rows").items()) ledger.rows.push_back(row(item));
     for (const JsonMember& item : json.at("readings").items())
         ledger.readings.push_back(reading_matrix(item));

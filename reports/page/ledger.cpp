@@ -40,12 +40,12 @@ std::string ledger_page(const Ledger& ledger, const std::vector<std::string>& pa
     const Html head =
         element("header", {},
                 element("h1", {}, "Crawford: ledger of the paper's claims") + counts(ledger) +
-                    circumstances(ledger.manifest.dump()) + not_reproduced(ledger));
+                    circumstances(ledger.manifest) + not_reproduced(ledger));
     return document("Crawford: ledger",
                     navigation({{"index.html", "figures"}}) + head + "\n" +
                         table_of_claims(ledger.rows, pages) + readings(ledger.readings) +
                         refinements(ledger.refinements) + spreads(ledger.spreads) +
-                        manifest(ledger.manifest.dump()));
+                        manifest(ledger.manifest));
 }
 
 }  // namespace crawford::reports::page

@@ -144,8 +144,8 @@ fs::path KeptRuns::directory_of(const Scene& scene) const {
 std::shared_ptr<const KeptRun> KeptRuns::get(const Scene& scene,
                                              const std::function<void(double)>& progress) const {
     prepare_directory(place_);
-    const fs::path directory = directory_of(scene);
     const FileLock lock(place_ / (digest(identity_of(scene)).substr(0, 8) + ".lock"));
+    const fs::path directory = directory_of(scene);
     auto found = find(directory, scene);
     if (!found || !found->serves(scene)) {
         make(scene, found, directory, progress);

@@ -14,23 +14,31 @@ namespace crawford {
 
 namespace {
 
-/// An interval in steps; 0 for never.
-long steps_of(const std::optional<double>& interval, double step) {
-    return interval ? std::max(1L, std::lround(*interval / step)) : 0;
+/// An interval in steps; nothing if it is no whole number of them.
+std::optional<long> steps_of(double interval, double step) {
+    constexpr double grace = 1e-6;  // of a step: intervals and steps are read as decimals
+    const double steps = interval / step;
+    const long whole = std::lround(steps);
+    if (whole < 1 || std::abs(steps - double(whole)) > grace) return {};
+    return whole;
 }
 
-/// Whether all multiples of `wanted` are multiples of `kept`; never is among all.
-bool holds(long kept, long wanted) {
-    return wanted == 0 || (kept > 0 && wanted % kept == 0);
+/// Whether output every `kept` [s] has all the times of output every `wanted` [s].
+bool holds(const std::optional<double>& kept, const std::optional<double>& wanted, double step) {
+    if (!wanted || kept == wanted) return true;
+    if (!kept) return false;
+    const auto one = steps_of(*kept, step);
+    const auto other = steps_of(*wanted, step);
+    return one && (*one == 1 || (other && *other % *one == 0));
 }
 
 std::optional<double> common(const std::optional<double>& a, const std::optional<double>& b,
                              double step) {
-    const long one = steps_of(a, step);
-    const long other = steps_of(b, step);
-    if (holds(one, other)) return a;
-    if (holds(other, one)) return b;
-    return double(std::gcd(one, other)) * step;
+    if (holds(a, b, step)) return a;
+    if (holds(b, a, step)) return b;
+    const auto one = steps_of(*a, step);
+    const auto other = steps_of(*b, step);
+    return one && other ? double(std::gcd(*one, *other)) * step : step;
 }
 
 }  // namespace
@@ -43,12 +51,9 @@ std::string identity_of(const Scene& scene) {
 }
 
 bool covers(const Output& kept, const Output& wanted, double step) {
-    const auto held = [&](const std::optional<double>& a, const std::optional<double>& b) {
-        return holds(steps_of(a, step), steps_of(b, step));
-    };
-    return held(kept.snapshots_every, wanted.snapshots_every) &&
-           held(kept.checkpoint_every, wanted.checkpoint_every) &&
-           holds(kept.history_every, wanted.history_every);
+    return holds(kept.snapshots_every, wanted.snapshots_every, step) &&
+           holds(kept.checkpoint_every, wanted.checkpoint_every, step) &&
+           wanted.history_every % kept.history_every == 0;
 }
 
 Output united(const Output& a, const Output& b, double step) {

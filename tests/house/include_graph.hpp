@@ -43,7 +43,8 @@ inline std::string top_of(const std::string& path, int count = 1) {
     std::string top;
     for (const auto& part : std::filesystem::path(path)) {
         if (count-- == 0) break;
-        top += (top.empty() ? "" : "/") + part.string();
+        if (!top.empty()) top += '/';
+        top += part.string();
     }
     return top;
 }

@@ -244,7 +244,7 @@ TEST_F(Program, MakesPagesOfWhatWasDrawn) {
     const auto figures = out_ / "figures";
     for (const char* name : {"fig01.html", "table1.html", "index.html"}) fs::remove(figures / name);
     reports::Ledger ledger;
-    ledger.manifest = {{"revision", "abc"}};
+    ledger.manifest = R"({"revision":"abc"})";
     ledger.rows = {{.claim = "wave speed", .where = "Table 1", .entry = "table1"}};
     reports::write(figures / "ledger.json", ledger);
     crawford({"verify", one, "--grids", "16,32", "--quiet", "--out", (out_ / "verify").string()});

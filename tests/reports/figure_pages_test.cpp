@@ -49,7 +49,7 @@ LedgerRow confined() {
 
 Ledger some() {
     Ledger ledger;
-    ledger.manifest = {{"revision", "abc"}, {"fidelity", "paper"}};
+    ledger.manifest = R"({"revision":"abc","fidelity":"paper"})";
     ledger.rows = {burn_rate(), confined()};
     return ledger;
 }

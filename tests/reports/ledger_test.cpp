@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace crawford::reports {
@@ -22,7 +23,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// One of each, with a run that failed, numbers that are missing and numbers of all 17 digits.
 Ledger some() {
     Ledger ledger;
-    ledger.manifest = {{"revision", "abc"}, {"machine", {{"cores", 2}}}};
+    ledger.manifest = R"({"revision":"abc","machine":{"cores":2}})";
     ledger.rows = {{.claim = "mean burn rate \"so\" < 1",
                     .where = "Fig. 15b",
                     .entry = "fig15",

@@ -14,9 +14,9 @@
 namespace crawford {
 namespace {
 
-/// A thermal sandwich that burns eight steps.
+/// A sandwich, stress and all, that burns eight steps.
 Scene small_scene(double checkpoint_every) {
-    Scene scene = parse_scene(R"(
+    Scene scene = parse_scene(R"toml(
 title = "small"
 [domain]
 width = "240 um"
@@ -26,18 +26,17 @@ ny = 8
 [morphology]
 kind = "sandwich"
 strip = "60 um"
-[physics]
-mechanics = false
 [surface]
+pressure = "2 MPa"
 heat_flux = { AP = "200 cal/(s cm2)", binder = "160 cal/(s cm2)" }
 [bottom]
 temperature = "300 K"
 [time]
 step = "20 us"
 end = "160 us"
-)");
+)toml");
     scene.output.checkpoint_every = checkpoint_every;
-return scene;
+    return scene;
 }
 
 class KeptRunsTest : public testing::Test {
@@ -119,6 +118,15 @@ TEST(RunIdentity, NeverIsCoveredByAnything) {
     EXPECT_FALSE(covers({.checkpoint_every = 4e-6}, {.checkpoint_every = 6e-6}, 1e-6));
     EXPECT_FALSE(covers({}, {.checkpoint_every = 6e-6}, 1e-6));
     EXPECT_FALSE(covers({.history_every = 2}, {.history_every = 1}, 1e-6));
+}
+
+TEST(RunIdentity, CountsAnIntervalBetweenStepsForItselfAlone) {
+    EXPECT_TRUE(covers({.checkpoint_every = 50e-6}, {.checkpoint_every = 50e-6}, 20e-6));
+    EXPECT_FALSE(covers({.checkpoint_every = 50e-6}, {.checkpoint_every = 60e-6}, 20e-6));
+    EXPECT_FALSE(covers({.checkpoint_every = 50e-6}, {.checkpoint_every = 100e-6}, 20e-6));
+    EXPECT_TRUE(covers({.checkpoint_every = 20e-6}, {.checkpoint_every = 50e-6}, 20e-6));
+    const Output both = united({.checkpoint_every = 50e-6}, {.checkpoint_every = 60e-6}, 20e-6);
+    EXPECT_EQ(both.checkpoint_every, 20e-6);
 }
 
 }  // namespace
