@@ -17,10 +17,9 @@ std::vector<Entry> permuted_entries(const SparseMatrix& lower, const std::vector
     std::vector<Entry> entries;
     entries.reserve(size_t(lower.nonZeros()));
     for (int column = 0; column < lower.outerSize(); ++column)
-        for (int k = lower.outerIndexPtr()[column]; k < lower.outerIndexPtr()[column + 1]; ++k) {
-            const auto [low, high] =
-                std::minmax(number[size_t(column)], number[size_t(lower.innerIndexPtr()[k])]);
-            entries.emplace_back(low, high, k);
+        for (SparseMatrix::InnerIterator at(lower, column); at; ++at) {
+            const auto [low, high] = std::minmax(number[size_t(column)], number[size_t(at.row())]);
+            entries.emplace_back(low, high, int(&at.value() - lower.valuePtr()));
         }
     std::ranges::sort(entries);
     return entries;

@@ -67,7 +67,8 @@ TEST_F(OutputHistory, DoesNotTouchWhatIsNoHistory) {
 }
 
 TEST_F(OutputHistory, ThatCannotBeWrittenIsRefused) {
-    EXPECT_THROW(History::start(directory / "none" / "history.csv"), InputError);
+    put(directory / "taken", "a file");
+    EXPECT_THROW(History::start(directory / "taken" / "history.csv"), InputError);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST_F(KeptRunsTest, ServeWhoAsksForLessAndAreMadeAgainForMore) {
     EXPECT_TRUE(runs_.has(coarse)) << "what it had it has still";
     const auto second = runs_.get(coarse);
     EXPECT_EQ(second->mean_burn_rate, first->mean_burn_rate) << "the same bits";
-    EXPECT_EQ(second->at(20e-6).time, 20e-6);
+    EXPECT_DOUBLE_EQ(second->at(20e-6).time, 20e-6);
 }
 
 TEST_F(KeptRunsTest, OfUnequalIntervalsAreMadeWithBoth) {
