@@ -31,7 +31,7 @@ endef
 # What clang-tidy looks at for a change: the sources that differ from the last commit a day older than this one, at
 # most so many of them (all: make tidy).
 TIDY_SINCE ?= $(shell git rev-list -1 --before="@$$(($$(git log -1 --format=%ct) - 86400))" HEAD)
-TIDY_MOST ?= 24
+TIDY_MOST ?= 12
 
 # How each file is compiled, but without GCC's precompiled headers, which clang cannot read: so a source that relies on
 # them for an include of its own is found, too.

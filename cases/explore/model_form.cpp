@@ -216,7 +216,7 @@ void add_slabs(Outcome& outcome, Bars& bars) {
     add_profile(outcome, "slab_alpha", Slab(binder).thermal_stress_alpha_k());
     for (const auto& [name, slab] : {std::pair{std::string("AP"), burning("AP", 200.0)},
                                      std::pair{std::string("binder"), binder}}) {
-        const auto add = [&](const std::string& reading, const Slab& read) {
+        const auto add = [&, &name = name](const std::string& reading, const Slab& read) {
             const Parts parts =
                 find(outcome, fmt::format("slab of {}, {}: surface temperature", name, reading),
                      each(read, &reference::Slab::surface_temperature), "K");

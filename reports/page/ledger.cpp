@@ -41,11 +41,11 @@ std::string ledger_page(const Ledger& ledger, const std::vector<std::string>& pa
         element("header", {},
                 element("h1", {}, "Crawford: ledger of the paper's claims") + counts(ledger) +
                     circumstances(ledger.manifest) + not_reproduced(ledger));
-    return document("Crawford: ledger",
-                    navigation({{"index.html", "figures"}}) + head + "\n" +
-                        table_of_claims(ledger.rows, pages) + readings(ledger.readings) +
-                        refinements(ledger.refinements) + spreads(ledger.spreads) +
-                        manifest(ledger.manifest));
+    return document("Crawford: ledger", navigation({{"index.html", "figures"}}) + head + "\n" +
+                                            table_of_claims(ledger.rows, pages) +
+                                            readings(ledger.readings) +
+                                            refinements(ledger.refinements) +
+                                            spreads(ledger.spreads) + manifest(ledger.manifest));
 }
 
 }  // namespace crawford::reports::page
