@@ -81,8 +81,9 @@ int list(const ListOptions& options);
 
 /// Draws cases that are not up to date, or from_records again what they have left, as many at a
 /// time as there are cores, and goes on with burns that were cut off. One that fails stops no
-/// other. \throws InputError naming the nearest case if one is unknown or has no record, before
-/// anything is computed.
+/// other.
+/// \throws InputError naming the nearest case if one is unknown or has no record, before anything
+/// is computed.
 int run(const RunOptions& options, const CommandLine& command);
 
 /// Writes DIR/figures/ledger.json and its page: settled anew, or as it lies in the source tree.

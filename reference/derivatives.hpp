@@ -1,3 +1,5 @@
+/// Derivatives of manufactured solutions by forward automatic differentiation: exact to round-off,
+/// with no formula worked out by hand.
 #pragma once
 
 #include <array>
@@ -5,8 +7,6 @@
 #include <cstddef>
 #include <tuple>
 
-/// Derivatives of manufactured solutions by forward automatic differentiation: exact to round-off,
-/// with no formula worked out by hand.
 namespace crawford::reference {
 
 /// A scalar at one point and time: in its own unit, over m and s as often as differentiated.

@@ -1,11 +1,3 @@
-#pragma once
-
-#include <Eigen/Core>
-#include <array>
-
-#include "reference/material.hpp"
-#include "reference/plane_strain_stress.hpp"
-
 /// A whole burning solid, manufactured: surface, temperature, motion, stress and reference map are
 /// smooth functions chosen at will, and the sources are what the equations lack to have them for a
 /// solution. Every term of the model is at work and of comparable size: a sloped surface that
@@ -18,6 +10,14 @@
 ///
 /// The bottom of the window, y = phi - depth, is held: T = T_0, v = 0, xi = (x, y), and the stress
 /// has no gradient normal to it. Derivatives are taken by automatic differentiation.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "reference/material.hpp"
+#include "reference/plane_strain_stress.hpp"
+
 namespace crawford::reference {
 
 struct BurningParameters {

@@ -1,3 +1,6 @@
+/// Smooth displacements of a body below a wavy surface, to manufacture loads from. Every one is
+/// periodic in x with the body's width and holds its bottom, y = surface(x) - depth, as a support
+/// does.
 #pragma once
 
 #include <array>
@@ -6,9 +9,6 @@
 
 #include "reference/manufactured_elasticity.hpp"
 
-/// Smooth displacements of a body below a wavy surface, to manufacture loads from. Every one is
-/// periodic in x with the body's width and holds its bottom, y = surface(x) - depth, as a support
-/// does.
 namespace crawford::reference {
 
 /// Where the body lies: y = height cos(k x + phase) above, k = 2 pi/width, and as much lower below.

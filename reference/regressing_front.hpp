@@ -28,7 +28,8 @@ public:
     double slope(double x, double t) const;
 
     /// phi(x, t) [m] by the Hopf-Lax formula, minimised numerically: good to some 1e-13 of L,
-    /// before the kink and after it. \throws std::invalid_argument if t is negative.
+    /// before the kink and after it.
+    /// \throws std::invalid_argument if t is negative.
     double envelope(double x, double t) const;
 
 private:

@@ -1,7 +1,3 @@
-#pragma once
-
-#include "reference/material.hpp"
-
 /// The corner where two bonded materials meet a free surface, a quarter plane of each, plane
 /// strain: beside it stress grows as r^(lambda - 1).
 ///
@@ -10,6 +6,10 @@
 /// displacement over, leave eight homogeneous equations for eight coefficients; lambda is where
 /// their determinant vanishes. Bogy (1968) found the same condition by Mellin transform, in closed
 /// form in Dundurs' two parameters.
+#pragma once
+
+#include "reference/material.hpp"
+
 namespace crawford::reference {
 
 /// Dundurs' parameters of two materials in plane strain: all that their elastic contrast can do to

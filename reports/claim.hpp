@@ -1,3 +1,4 @@
+/// From a claim of the paper and a number of ours to a row of the ledger with its verdict.
 #pragma once
 
 #include <string>
@@ -5,7 +6,6 @@
 
 #include "reports/ledger.hpp"
 
-/// From a claim of the paper and a number of ours to a row of the ledger with its verdict.
 namespace crawford::reports {
 
 /// What the paper states.

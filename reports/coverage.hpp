@@ -1,9 +1,9 @@
+/// Which study would see a fault in which term of the equations.
 #pragma once
 
 #include <string>
 #include <vector>
 
-/// Which study would see a fault in which term of the equations.
 namespace crawford::reports {
 
 /// A study and the terms that it covers.

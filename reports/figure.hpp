@@ -1,14 +1,3 @@
-#pragma once
-
-#include <filesystem>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "base/scratch.hpp"
-#include "reports/draw_figure.hpp"
-#include "reports/figure_data.hpp"
-
 /// Figures: numbers go to CSV files, a gnuplot script of the case's own draws them in the house
 /// style.
 ///
@@ -24,6 +13,17 @@
 ///
 ///     @panel_a
 ///     plot data_solver using 1:2 with points title 'solver'
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/scratch.hpp"
+#include "reports/draw_figure.hpp"
+#include "reports/figure_data.hpp"
+
 namespace crawford::reports {
 
 /// What the small print under a figure must say. Empty entries are left out.
@@ -41,9 +41,9 @@ std::filesystem::path script_of(const std::filesystem::path& source);
 class Figure {
 public:
     /// Writes to `out`/figures. The script is that of the file which calls this, if none is named;
-    /// a relative one is found from the source tree, wherever the program is run. \throws
-    /// std::invalid_argument if the name is not letters, digits and '_' only, as for every name
-    /// below.
+    /// a relative one is found from the source tree, wherever the program is run.
+    /// \throws std::invalid_argument if the name is not letters, digits and '_' only, as for every
+    /// name below.
     Figure(const std::string& name, const std::filesystem::path& out,
            const std::filesystem::path& script = script_of(__builtin_FILE()));
 

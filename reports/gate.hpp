@@ -1,3 +1,4 @@
+/// Gates: one written line each that says what a study must reach and why, and the judgement on it.
 #pragma once
 
 #include <limits>
@@ -9,7 +10,6 @@
 #include "reports/norm.hpp"
 #include "reports/order.hpp"
 
-/// Gates: one written line each that says what a study must reach and why, and the judgement on it.
 namespace crawford::reports {
 
 /// Order expected of an error, and how far the fit may miss it. Reads as

@@ -1,3 +1,4 @@
+/// Gate results as text for people.
 #pragma once
 
 #include <string>
@@ -5,7 +6,6 @@
 
 #include "reports/gate.hpp"
 
-/// Gate results as text for people.
 namespace crawford::reports {
 
 /// Plain text, at most 100 columns: each gate with its errors, pairwise orders, fit, verdict,

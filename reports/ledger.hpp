@@ -1,3 +1,5 @@
+/// The ledger: what the paper claims beside what is found here, and what that rests on. Its
+/// document is ledger.json; its page is reports/page/ledger.hpp.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +8,6 @@
 #include <string_view>
 #include <vector>
 
-/// The ledger: what the paper claims beside what is found here, and what that rests on. Its
-/// document is ledger.json; its page is reports/page/ledger.hpp.
 namespace crawford::reports {
 
 enum class Standing {

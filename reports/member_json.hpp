@@ -1,3 +1,4 @@
+/// Reading a JSON document so that what is wrong in it is named.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +8,6 @@
 #include <string>
 #include <vector>
 
-/// Reading a JSON document so that what is wrong in it is named.
 namespace crawford::reports {
 
 /// A member is missing or is not what it should be; what() names it: "rows[2].unit is missing".

@@ -1,14 +1,14 @@
-#pragma once
-
-#include <span>
-#include <string_view>
-
 /// Norms of an error field: one number from the values at all points.
 ///
 /// L1 and L2 are means over the domain, sum(w |e|)/sum(w) and sqrt(sum(w e^2)/sum(w)), so they
 /// carry the unit of the field and do not change with the size of the domain. The weight w is the
 /// size of the cell that a value stands for: on a clustered grid an unweighted sum counts the fine
 /// cells more than they are worth. A NaN among the values is a NaN of the norm, in every norm.
+#pragma once
+
+#include <span>
+#include <string_view>
+
 namespace crawford::reports {
 
 // NOLINTBEGIN(readability-identifier-naming): these are the names of the field.

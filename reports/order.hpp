@@ -1,3 +1,5 @@
+/// Observed orders of accuracy: how fast an error falls as the grid is refined, and whether the
+/// fall can be trusted.
 #pragma once
 
 #include <optional>
@@ -5,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-/// Observed orders of accuracy: how fast an error falls as the grid is refined, and whether the
-/// fall can be trusted.
 namespace crawford::reports {
 
 /// What a sequence of errors looks like.

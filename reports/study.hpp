@@ -1,3 +1,10 @@
+/// Studies: the same run on several grids, and the gates that the outcome is held against.
+///
+///     Study("slab, AP")
+///         .refines("rows", {32, 64, 128, 256})
+///         .measure([](int rows) { ... return Measurement(h).field("temperature", T, exact); })
+///         .gate("temperature", Norm::L2, expect(2.0).within(0.1), "central differences, steady")
+///         .bound("T_s - exact [K]", 128, between(-1.0, 1.0), "a quarter of the model difference");
 #pragma once
 
 #include <functional>
@@ -11,13 +18,6 @@
 #include "reports/record.hpp"
 #include "reports/record_store.hpp"
 
-/// Studies: the same run on several grids, and the gates that the outcome is held against.
-///
-///     Study("slab, AP")
-///         .refines("rows", {32, 64, 128, 256})
-///         .measure([](int rows) { ... return Measurement(h).field("temperature", T, exact); })
-///         .gate("temperature", Norm::L2, expect(2.0).within(0.1), "central differences, steady")
-///         .bound("T_s - exact [K]", 128, between(-1.0, 1.0), "a quarter of the model difference");
 namespace crawford::reports {
 
 /// What to run at one setting. Settings run at the same time in several threads: share nothing that

@@ -1,3 +1,4 @@
+/// All that one run of the studies has found: what verify.json holds and the report is made of.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +8,6 @@
 #include "reports/coverage.hpp"
 #include "reports/gate.hpp"
 
-/// All that one run of the studies has found: what verify.json holds and the report is made of.
 namespace crawford::reports {
 
 /// A study as the report shows it, beside its gates.

@@ -5,13 +5,11 @@
 /// sqrt(E/rho) and sqrt(mu/rho) of its equation 12, and the groups of its section 2.1.
 ///
 /// - The printed wave speeds do not follow from the printed moduli and densities: they are 1.5 to 7
-/// %
-///   too low. Nor would one other density put both speeds right of AP.
+///   % too low. Nor would one other density put both speeds right of AP.
 /// - epsilon = rho r_b^2/E is 1e-8 for the binder and less for AP, not 1e-4: quasi-statics is far
 ///   better justified than the paper says.
 /// - The Arrhenius constant is read in m/s and the heat of reaction in kcal/kg; in the printed
-/// units
-///   nothing would burn as the paper reports. The specific heat is not printed at all.
+///   units nothing would burn as the paper reports. The specific heat is not printed at all.
 ///
 /// The Peclet number is of order one as the paper assumes. Its number E/(rho c_p T_0) is not, and
 /// differs by 1800 between the two.

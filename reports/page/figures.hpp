@@ -1,3 +1,5 @@
+/// The pages of the figures that have been drawn, one a case, and their index. They lie beside the
+/// pictures.
 #pragma once
 
 #include <optional>
@@ -6,8 +8,6 @@
 
 #include "reports/ledger.hpp"
 
-/// The pages of the figures that have been drawn, one a case, and their index. They lie beside the
-/// pictures.
 namespace crawford::reports::page {
 
 /// A number that a case has found.

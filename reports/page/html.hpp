@@ -1,3 +1,6 @@
+/// HTML and SVG by nested calls. Plain text cannot become markup: it is escaped where it enters.
+///
+///     element("p", {{"class", "reason"}}, "error < 1 " + element("em", {}, "here"))
 #pragma once
 
 #include <string>
@@ -5,9 +8,6 @@
 #include <utility>
 #include <vector>
 
-/// HTML and SVG by nested calls. Plain text cannot become markup: it is escaped where it enters.
-///
-///     element("p", {{"class", "reason"}}, "error < 1 " + element("em", {}, "here"))
 namespace crawford::reports::page {
 
 /// A piece of a page.

@@ -1,9 +1,9 @@
+/// What the verdicts of a ledger rest on. Each is empty if there is nothing to show.
 #pragma once
 
 #include "reports/ledger.hpp"
 #include "reports/page/html.hpp"
 
-/// What the verdicts of a ledger rest on. Each is empty if there is nothing to show.
 namespace crawford::reports::page {
 
 /// A table for each matrix: runs down, quantities across, the paper's values on top, the reading

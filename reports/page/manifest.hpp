@@ -1,10 +1,10 @@
+/// Of a manifest: a JSON object as text.
 #pragma once
 
 #include <string>
 
 #include "reports/page/html.hpp"
 
-/// Of a manifest: a JSON object as text.
 namespace crawford::reports::page {
 
 /// When, on what and from which sources, in a line: what of it the manifest says.

@@ -1,3 +1,4 @@
+/// The opening comment of a study, which is its page for a reader.
 #pragma once
 
 #include <string>
@@ -5,7 +6,6 @@
 
 #include "reports/page/html.hpp"
 
-/// The opening comment of a study, which is its page for a reader.
 namespace crawford::reports::page {
 
 /// The text of the `///` lines that a source file begins with, without the slashes.

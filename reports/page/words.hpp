@@ -1,10 +1,10 @@
+/// Numbers and judgements in the words of the page.
 #pragma once
 
 #include <string>
 
 #include "reports/gate.hpp"
 
-/// Numbers and judgements in the words of the page.
 namespace crawford::reports::page {
 
 /// "1.23e-5", "0.95", "128"; "-" for what is no number.

@@ -13,8 +13,8 @@ public:
     /// \param order order[k] is the unknown that becomes number k.
     PermutedMatrix(const SparseMatrix& lower, const std::vector<int>& order);
 
-    /// Takes the values of a matrix of the same pattern. \returns the lower triangle, by columns,
-    /// rows ascending.
+    /// Takes the values of a matrix of the same pattern.
+    /// \returns the lower triangle, by columns, rows ascending.
     const SparseMatrix& of(const SparseMatrix& lower);
 
     Eigen::VectorXd permuted(const Eigen::VectorXd& x) const;

@@ -26,8 +26,9 @@ Stop at_the_end(const Simulation& simulation);
 Stop after_steps(const Simulation& simulation, long count);
 
 /// Steps until `stop`, and tells all observers of each step, in their order. Step n ends at n dt,
-/// so that times do not pile up rounding. \throws NumericalFailure if a step fails: no observer is
-/// told of it, and the state is the last good one.
+/// so that times do not pile up rounding.
+/// \throws NumericalFailure if a step fails: no observer is told of it, and the state is the last
+/// good one.
 void run_until(Simulation& simulation, const Stop& stop,
                const std::vector<Observer>& observers = {});
 

@@ -18,7 +18,8 @@ namespace crawford {
 
 class ElasticStep {
 public:
-    /// Solves at once. \param height phi(x) [m] of the surface
+    /// Solves at once.
+    /// \param height phi(x) [m] of the surface
     ElasticStep(const Scene& scene, const std::function<double(double x)>& height,
                 const ProjectionSources& sources);
 

@@ -6,9 +6,8 @@
 /// uniform grid is known, and is asked of the solver here, against reference/elastic_sandwich.hpp.
 ///
 /// - At the corner, in the first few cells, error scales as the solution does: displacement
-/// h^lambda
-///   and, since that is the largest error anywhere, order lambda in Linf over the whole field.
-///   Stress there is wrong by h^(lambda - 1): its largest error grows without end, by 1.32 a
+///   h^lambda and, since that is the largest error anywhere, order lambda in Linf over the whole
+///   field. Stress there is wrong by h^(lambda - 1): its largest error grows without end, by 1.32 a
 ///   halving, and its L2 norm, over an area h^2, is of order lambda.
 /// - Away from the corner, r > 30 um, elements are of order 2 again but for what the corner sends
 ///   out: it acts as a dipole whose strength is wrong by h^(2 lambda), the energy of the error.
