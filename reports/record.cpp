@@ -40,11 +40,13 @@ Ending ending_of(const std::exception_ptr& problem) {
     try {
         std::rethrow_exception(problem);
     } catch (const InputError& error) {
-        return {Ending::Kind::refused, error.what()};
+        return {Ending::Kind::refused, error.what(), {}};
+    } catch (const NumericalFailure& error) {
+        return {Ending::Kind::failed, error.what(), error.fields()};
     } catch (const std::exception& error) {
-        return {Ending::Kind::failed, error.what()};
+        return {Ending::Kind::failed, error.what(), {}};
     } catch (...) {
-        return {Ending::Kind::failed, "unknown exception"};
+        return {Ending::Kind::failed, "unknown exception", {}};
     }
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/errors.hpp"
 #include "reports/figure_contents.hpp"
 #include "reports/measurement.hpp"
 #include "reports/setting.hpp"
@@ -31,7 +32,8 @@ struct Ending {
     };
 
     Kind kind = Kind::done;
-    std::string message = {};  ///< why it is not done
+    std::string message = {};                   ///< why it is not done
+    std::optional<FailureFields> failure = {};  ///< where the numbers failed: module, place, limit
 
     bool is_done() const { return kind == Kind::done; }
 };

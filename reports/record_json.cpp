@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reports/failure_json.hpp"
 #include "reports/figure_json.hpp"
 
 namespace crawford::reports {
@@ -78,6 +79,17 @@ Ending::Kind ending_named(const std::string& word) {
     throw std::invalid_argument(word + " is no outcome");
 }
 
+Json failure(const Ending& ending) {
+    Json json = {{"message", ending.message}};
+    if (ending.failure) json.update(Json(*ending.failure));
+    return json;
+}
+
+void read_failure(const Json& json, Ending& ending) {
+    json.at("message").get_to(ending.message);
+    if (json.contains("kind")) ending.failure = json.get<FailureFields>();
+}
+
 }  // namespace
 
 void to_json(Json& json, const Setting& setting) {
@@ -111,7 +123,7 @@ void to_json(Json& json, const Record& record) {
                     {"cpu_seconds", record.cost.cpu_seconds},
                     {"peak_memory_bytes", record.cost.peak_memory_bytes}};
     json["outcome"] = name(record.ending.kind);
-    if (!record.ending.is_done()) json["failure"] = record.ending.message;
+    if (!record.ending.is_done()) json["failure"] = failure(record.ending);
     json["fingerprint"] = record.fingerprint;
     if (!record.scenes.empty()) json["scenes"] = record.scenes;
     if (record.figure) json["figure"] = *record.figure;
@@ -125,7 +137,7 @@ void from_json(const Json& json, Record& record) {
     record.cost = {cost.at("wall_seconds"), cost.at("cpu_seconds"), cost.at("peak_memory_bytes")};
     record.ending.kind = ending_named(json.at("outcome"));
     if (!record.ending.is_done()) {
-        json.at("failure").get_to(record.ending.message);
+        read_failure(json.at("failure"), record.ending);
         return;
     }
     record.found = json.contains("h") ? Measurement(number(json.at("h"))) : Measurement();

@@ -103,7 +103,8 @@ Verification read_verification(const std::filesystem::path& file) {
 
 std::vector<GateResult> read_gates(const std::filesystem::path& file) {
     std::ifstream in(file);
-    if (!in) throw InputError(fmt::format("{} cannot be read", file.string()));
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError(fmt::format("{} cannot be read", file.string()));
     try {
         return Json::parse(in).at("gates").get<std::vector<GateResult>>();
     } catch (const Json::exception& problem) {

@@ -120,6 +120,27 @@ TEST_F(Records, OfAFailedRunAreNotFound) {
     EXPECT_EQ(record->ending.message, "no such cell");
 }
 
+TEST_F(Records, SayWhereNumbersFailed) {
+    const FailureFields fields{.kind = FailureFields::Kind::beyond_limit,
+                               .module = "heat",
+                               .quantity = "coupling number g",
+                               .value = 1.014,
+                               .limit = FailureLimit{1.0, false, "for \"lagged\""},
+                               .place = FailurePlace{"cell", 0, 23},
+                               .step = 13,
+                               .time = 0.00104,
+                               .advice = "take \"adiabatic\""};
+    RecordStore(directory_, "a")
+        .add(record_of(experiment, rows(64),
+                       [&](const Setting&) -> Measurement { throw NumericalFailure(fields); }));
+    const auto ending = RecordStore(directory_, "a").newest(experiment, rows(64))->ending;
+    EXPECT_EQ(ending.kind, Ending::Kind::failed);
+    ASSERT_TRUE(ending.failure);
+    EXPECT_EQ(in_words(*ending.failure), in_words(fields));
+    EXPECT_EQ(ending.failure->place->j, 23);
+    EXPECT_EQ(ending.message, in_words(fields));
+}
+
 TEST_F(Records, LoseATornLastLineAndNothingElse) {
     RecordStore store(directory_, "a");
     store.add(done(32, 1.0));
