@@ -2,7 +2,7 @@
 ///
 /// CHOLMOD opens some 20,900 parallel regions in a factorisation of a pack's projection. With no
 /// level of parallel regions active (solver/linear_solvers/one_thread.hpp) each runs on the thread
-/// that opens it, and what libgomp spends on opening it, 1.5 us, is more than what most of them do.
+/// that opens it, and what libgomp spends on opening it, up to 1.5 us, is more than what most of them do.
 /// Here the thread just calls the region: it is outside of any region and so already sees itself as
 /// thread 0 of 1, which is all that CHOLMOD asks for. The arithmetic, and every bit, stay the same.
 ///

@@ -69,7 +69,8 @@ public:
     /// \throws std::invalid_argument if there is another.
     Figure& panel(Format format, PanelSize size = {});
 
-    /// \returns the pictures. \throws as reports::draw
+    /// \returns the pictures.
+    /// \throws as reports::draw
     std::vector<std::filesystem::path> draw() const;
 
     const FigureContents& contents() const { return contents_; }
