@@ -1,11 +1,10 @@
 #include "reports/record.hpp"
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <ctime>
 
 #include "base/errors.hpp"
+#include "base/peak_memory.hpp"
 
 namespace crawford::reports {
 
@@ -15,12 +14,6 @@ double seconds_of_this_thread() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
-long peak_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss * 1024;
 }
 
 }  // namespace

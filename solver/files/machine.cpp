@@ -4,7 +4,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <sys/resource.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 
@@ -82,12 +81,6 @@ std::string libraries() {
                     {"HDF5", hdf5()},
                     {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000,
                                           BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)}});
-}
-
-long peak_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss * 1024;
 }
 
 }  // namespace crawford

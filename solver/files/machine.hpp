@@ -13,7 +13,4 @@ std::string machine();
 /// not OpenBLAS.
 std::string libraries();
 
-/// Largest memory this process has held so far [bytes].
-long peak_memory();
-
 }  // namespace crawford

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
+#include "base/peak_memory.hpp"
 #include "solver/files/machine.hpp"
 
 namespace crawford {

@@ -123,6 +123,15 @@ Snapshot KeptRun::at(double wanted) const {
     return snapshot_of(scene, file);
 }
 
+namespace {
+
+/// What tells the runs of a place apart, short enough for a file name.
+std::string short_digest(const Scene& scene) {
+    return digest(identity_of(scene)).substr(0, 8);
+}
+
+}  // namespace
+
 /// "ap_binder_sandwich_64x96_20us_1a2b3c4d": to be read by people, told apart by the digest.
 fs::path KeptRuns::directory_of(const Scene& scene) const {
     std::string name;
@@ -132,7 +141,7 @@ fs::path KeptRuns::directory_of(const Scene& scene) const {
         else if (!name.empty() && name.back() != '_')
             name += '_';
     }
-    const std::string known_by = digest(identity_of(scene)).substr(0, 8);
+    const std::string known_by = short_digest(scene);
     // A title is no part of the identity: a run that lies there under another one is taken.
     if (fs::exists(place_))
         for (const auto& entry : fs::directory_iterator(place_))
@@ -144,7 +153,7 @@ fs::path KeptRuns::directory_of(const Scene& scene) const {
 std::shared_ptr<const KeptRun> KeptRuns::get(const Scene& scene,
                                              const std::function<void(double)>& progress) const {
     prepare_directory(place_);
-    const FileLock lock(place_ / (digest(identity_of(scene)).substr(0, 8) + ".lock"));
+    const FileLock lock(place_ / (short_digest(scene) + ".lock"));
     const fs::path directory = directory_of(scene);
     auto found = find(directory, scene);
     if (!found || !found->serves(scene)) {
