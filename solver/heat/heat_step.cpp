@@ -165,13 +165,20 @@ void HeatStep::add_stress_work(int i, int j, const std::array<Node, 4>& nodes, d
 void HeatStep::add_surface_flux(const NodeField& temperature, const SurfaceField& surface) {
     const int top = grid_.rows();
     for (int i = 0; i < grid_.cell_columns(); ++i) {
-        const double half_length = 0.5 * grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
-        const double fraction = materials_.fraction()(i, top - 1);
-        for (const int node : {i, grid_.right_node(i)}) {
-            const double now = temperature(node, top);
-            const LinearFlux flux = law_.heat_flux(materials_, fraction, now);
-            load_(node, top) += half_length * (flux.value - flux.slope * now);
-            transport_.row(node, top)[1][1] -= half_length * flux.slope;
+        const double length = grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
+        const auto nodes = corners(grid_, i, top - 1);
+        for (const PieceShare& piece : shares_of(materials_.surface_pieces()[size_t(i)])) {
+            const std::array<double, 2> of_node{1.0 - piece.right, piece.right};
+            const double now = of_node[0] * temperature(nodes[2].i, top) +
+                               of_node[1] * temperature(nodes[3].i, top);
+            const LinearFlux flux = law_.heat_flux(materials_, piece.fraction, now);
+            for (const size_t node : {0, 1}) {
+                const double share = length * piece.share[node];
+                load_(nodes[2 + node].i, top) += share * (flux.value - flux.slope * now);
+                for (const size_t other : {0, 1})
+                    transport_.add(nodes, int(2 + node), int(2 + other),
+                                   -share * flux.slope * of_node[other]);
+            }
         }
     }
 }

@@ -49,6 +49,11 @@ std::array<Vector, 4> CarriedGrid::cell(int i, int j, const Vector& origin) cons
             Vector(x, y_left + high) + shift(i, j + 1)};
 }
 
+Segment CarriedGrid::top(int i, const Vector& origin) const {
+    const auto corner = cell(i, grid_.rows() - 1, origin);
+    return {corner[3], corner[2]};
+}
+
 /// Half the cross product of the diagonals; what the shift adds to it comes apart, so that a grid
 /// at rest has the areas of its cells to the last bit.
 double CarriedGrid::area(int i, int j) const {

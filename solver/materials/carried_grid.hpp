@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "solver/materials/surface_pieces.hpp"
 #include "solver/mesh/grid.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -21,6 +22,8 @@ public:
     /// The corners of cell (i, j), anticlockwise from the lower left, as seen from `origin` [m].
     std::array<Vector, 4> cell(int i, int j, const Vector& origin) const;
     double area(int i, int j) const;  ///< [m^2]
+    /// The surface over cell column i, from left to right, seen likewise.
+    Segment top(int i, const Vector& origin) const;
 
     Vector lowest() const;   ///< of what the coordinates of a node can be [m]
     Vector highest() const;  ///< [m]

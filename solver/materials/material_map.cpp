@@ -37,6 +37,7 @@ MaterialMap::MaterialMap(const Morphology& morphology, const Grid& grid, const N
       morphology_(morphology),
       conductivity_(numerics.cut_cell_conductivity),
       moduli_(numerics.cut_cell_moduli),
+      front_(numerics.front),
       fraction_(grid.cell_columns(), grid.rows(), 1.0),
       bulk_modulus_(grid.cell_columns(), grid.rows()),
       shear_modulus_(grid.cell_columns(), grid.rows()) {
@@ -59,6 +60,7 @@ void MaterialMap::follow(const SurfaceField& surface, const NodeVectors& shift) 
     }
     if (const auto* discs = std::get_if<Discs>(&morphology_.shape)) fill_discs(*discs, where);
     for (double& fraction : fraction_.values()) fraction = snapped(fraction);
+    find_surface_pieces(where);
     find_moduli();
     if (is_laminate()) find_normals(surface);
 }
@@ -69,6 +71,10 @@ void MaterialMap::find_moduli() {
         bulk_modulus_.values()[k] = modulus(fraction, &Material::bulk_modulus);
         shear_modulus_.values()[k] = modulus(fraction, &Material::shear_modulus);
     }
+}
+
+double MaterialMap::period() const {
+    return (grid_.sides() == Sides::mirror ? 2.0 : 1.0) * grid_.width();
 }
 
 void MaterialMap::find_normals(const SurfaceField& surface) {
@@ -90,20 +96,20 @@ void MaterialMap::fill_strip(double width) {
 
 /// Strips stand side by side, a period apart: cells near a side may have come from beyond it.
 void MaterialMap::fill_carried_strip(double width, const CarriedGrid& carried) {
-    const double period = (grid_.sides() == Sides::mirror ? 2.0 : 1.0) * grid_.width();
     for (int i = 0; i < grid_.cell_columns(); ++i)
         for (int j = 0; j < grid_.rows(); ++j) {
             double covered = 0.0;
             for (const int image : {-1, 0, 1})
-                covered += strip_overlap(carried.cell(i, j, {image * period, 0.0}), 0.5 * width);
+                covered += strip_overlap(carried.cell(i, j, {image * period(), 0.0}), 0.5 * width);
             fraction_(i, j) = 1.0 - covered / carried.area(i, j);
         }
 }
 
-void MaterialMap::fill_discs(const Discs& discs, const CarriedGrid& carried) {
-    std::ranges::fill(fraction_.values(), 0.0);
-    const Vector low = carried.lowest();
-    const Vector high = carried.highest();
+/// Calls visit(centre, radius) for every disc, and every periodic image of it, that may reach into
+/// the box from `low` to `high`.
+template <class Visit>
+void MaterialMap::for_discs_in(const Discs& discs, const Vector& low, const Vector& high,
+                               const Visit& visit) const {
     const double width = grid_.width();
     for (const Disc& disc : discs.discs) {
         const int first_y = int(std::ceil((low.y() - disc.radius - disc.y) / discs.period));
@@ -112,8 +118,14 @@ void MaterialMap::fill_discs(const Discs& discs, const CarriedGrid& carried) {
         const int last_x = int(std::floor((high.x() + disc.radius - disc.x) / width));
         for (int m = first_x; m <= last_x; ++m)
             for (int n = first_y; n <= last_y; ++n)
-                add_disc({disc.x + m * width, disc.y + n * discs.period}, disc.radius, carried);
+                visit(Vector(disc.x + m * width, disc.y + n * discs.period), disc.radius);
     }
+}
+
+void MaterialMap::fill_discs(const Discs& discs, const CarriedGrid& carried) {
+    std::ranges::fill(fraction_.values(), 0.0);
+    for_discs_in(discs, carried.lowest(), carried.highest(),
+                 [&](const Vector& centre, double radius) { add_disc(centre, radius, carried); });
 }
 
 void MaterialMap::add_disc(Vector centre, double radius, const CarriedGrid& carried) {
@@ -126,6 +138,37 @@ void MaterialMap::add_disc(Vector centre, double radius, const CarriedGrid& carr
             if (low > radius || high < -radius) continue;
             fraction_(i, j) += disc_overlap(cell, radius) / carried.area(i, j);
         }
+}
+
+void MaterialMap::find_surface_pieces(const CarriedGrid& carried) {
+    surface_pieces_.resize(size_t(grid_.cell_columns()));
+    for (int i = 0; i < grid_.cell_columns(); ++i)
+        surface_pieces_[size_t(i)] = front_ == Front::mean_of_materials
+                                         ? SegmentPieces{{0.0, 1.0, fraction_(i, grid_.rows() - 1)}}
+                                         : pieces_by_interfaces(i, carried);
+}
+
+SegmentPieces MaterialMap::pieces_by_interfaces(int i, const CarriedGrid& carried) const {
+    std::vector<Covered> covered;
+    if (const auto* sandwich = std::get_if<Sandwich>(&morphology_.shape)) {
+        for (const int image : {-1, 0, 1})
+            if (const auto part = covered_by_strip(carried.top(i, {image * period(), 0.0}),
+                                                   0.5 * sandwich->strip))
+                covered.push_back(*part);
+        return pieces_of(std::move(covered), 0.0,
+                         {second().thermal_conductivity, first().thermal_conductivity});
+    }
+    if (const auto* discs = std::get_if<Discs>(&morphology_.shape)) {
+        const Segment top = carried.top(i, Vector::Zero());
+        for_discs_in(*discs, top[0].cwiseMin(top[1]), top[0].cwiseMax(top[1]),
+                     [&](const Vector& centre, double radius) {
+                         if (const auto part = covered_by_disc(carried.top(i, centre), radius))
+                             covered.push_back(*part);
+                     });
+        return pieces_of(std::move(covered), 1.0,
+                         {first().thermal_conductivity, second().thermal_conductivity});
+    }
+    return {{0.0, 1.0, 1.0}};
 }
 
 double MaterialMap::thermal_conductivity(int i, int j) const {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "solver/materials/carried_grid.hpp"
+#include "solver/materials/surface_pieces.hpp"
 
 namespace crawford {
 
@@ -32,6 +33,10 @@ public:
 
     /// Volume fraction of the first material in each cell, 0 to 1.
     const CellField& fraction() const { return fraction_; }
+
+    /// What each segment of the surface burns as: its materials up to where the interface truly
+    /// crosses it, or the mean that the cell below it holds.
+    const SurfacePieces& surface_pieces() const { return surface_pieces_; }
 
     /// kappa [W/(m K)]; of a laminate, along the interface.
     double thermal_conductivity(int i, int j) const;
@@ -67,12 +72,20 @@ private:
     void fill_carried_strip(double width, const CarriedGrid& carried);
     void fill_discs(const Discs& discs, const CarriedGrid& carried);
     void add_disc(Vector centre, double radius, const CarriedGrid& carried);
+    template <class Visit>
+    void for_discs_in(const Discs& discs, const Vector& low, const Vector& high,
+                      const Visit& visit) const;
+    double period() const;  ///< of strips, with their mirror images [m]
+    void find_surface_pieces(const CarriedGrid& carried);
+    SegmentPieces pieces_by_interfaces(int i, const CarriedGrid& carried) const;
 
     const Grid& grid_;
     Morphology morphology_;
     CutConductivity conductivity_;
     CutModuli moduli_;
+    Front front_;
     CellField fraction_;
+    SurfacePieces surface_pieces_;
     CellField bulk_modulus_, shear_modulus_;  ///< kept: a stress step reads each some forty times
     NodeVectors normal_;  ///< of the interface in each cell, where cut cells are laminates
 };

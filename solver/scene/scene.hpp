@@ -134,6 +134,12 @@ enum class CutModuli {
     harmonic     ///< in series: they share a stress
 };
 
+/// How the surface moves and burns where two materials meet in it.
+enum class Front {
+    faster_side,       ///< each side burns as itself, and where they meet the side that leads rules
+    mean_of_materials  ///< a node between them burns with the mean of their rates
+};
+
 struct Numerics {
     Element element = Element::bbar;
     LinearSolver solver = LinearSolver::cholmod;
@@ -148,6 +154,7 @@ struct Numerics {
     StrainNorm strain_norm = StrainNorm::frobenius;
     CutConductivity cut_cell_conductivity = CutConductivity::laminate;
     CutModuli cut_cell_moduli = CutModuli::harmonic;
+    Front front = Front::faster_side;
     /// tau [s] of a Kelvin-Voigt stress 2 mu tau dev D in the softer material; where it is not
     /// given, resolved() puts it in (defaults.hpp).
     std::optional<double> viscous_time = std::nullopt;

@@ -116,6 +116,8 @@ void visit(Table& table, Numerics& n) {
         Word<CutConductivity>{"laminate", CutConductivity::laminate}};
     static constexpr std::array moduli{Word<CutModuli>{"arithmetic", CutModuli::arithmetic},
                                        Word<CutModuli>{"harmonic", CutModuli::harmonic}};
+    static constexpr std::array fronts{Word<Front>{"faster side", Front::faster_side},
+                                       Word<Front>{"mean of materials", Front::mean_of_materials}};
     table.choice("element", n.element, elements);
     table.choice("solver", n.solver, solver_words);
     table.number("solver_tolerance", n.solver_tolerance, {"", 1e-15, 1e-2});
@@ -128,6 +130,7 @@ void visit(Table& table, Numerics& n) {
     table.choice("strain_norm", n.strain_norm, norms);
     table.choice("cut_cell_conductivity", n.cut_cell_conductivity, conductivities);
     table.choice("cut_cell_moduli", n.cut_cell_moduli, moduli);
+    table.choice("front", n.front, fronts);
     table.quantity("viscous_time", n.viscous_time, {"s", 0.0, 1.0});
 }
 

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "solver/burning/burn_rate.hpp"
-#include "solver/burning/surface_motion.hpp"
+#include "solver/burning/front_motion.hpp"
 #include "solver/heat/heat_step.hpp"
 #include "solver/projection/projection.hpp"
 #include "solver/reference_map/reference_map.hpp"
@@ -46,6 +45,7 @@ struct Simulation::Modules {
     Grid grid;
     MaterialMap materials;
     BurningLaw law;
+    std::unique_ptr<FrontMotion> front;
     Checkerboard checkerboard;
     std::unique_ptr<HeatStep> heat;
     std::unique_ptr<StressStep> stress;
@@ -61,6 +61,7 @@ struct Simulation::Modules {
           grid(scene.domain),
           materials(scene.morphology, grid, scene.numerics),
           law(scene.physics.regression, scene.surface),
+          front(front_motion(scene.numerics.front, grid, materials, law)),
           checkerboard(grid, materials, scene.numerics.element),
           state(initial_state(scene, grid)) {
         if (scene.physics.heat)
@@ -78,8 +79,7 @@ struct Simulation::Modules {
         if (carried && !velocity.empty())
             for (int i = 0; i < grid.node_columns(); ++i)
                 of_material.push_back(velocity(i, grid.rows()));
-        return surface_rate(grid, surface, law.burn_rate(grid, materials, temperature),
-                            of_material);
+        return front->rate({surface, temperature, of_material}, scene.time.step);
     }
 
     /// The state one step after `now`, at the time `end`.
@@ -236,7 +236,7 @@ std::vector<ModuleTime> Simulation::timing() const {
 Summary Simulation::summary() const {
     const State& s = modules_->state;
     Summary summary;
-    summary.mean_burn_rate = mean_burn_rate(modules_->grid, s.surface, burn_rate());
+    summary.mean_burn_rate = modules_->front->mean_burn_rate(s.surface, s.temperature);
     if (!s.temperature.empty())
         summary.largest_temperature = *std::ranges::max_element(s.temperature.values());
     if (!s.reference_shift.empty())
@@ -266,8 +266,7 @@ NodeField Simulation::material_indicator() const {
 }
 
 SurfaceField Simulation::burn_rate() const {
-    return modules_->law.burn_rate(modules_->grid, modules_->materials,
-                                   modules_->state.temperature);
+    return modules_->front->burn_rate(modules_->state.temperature);
 }
 
 Lattice<Eigen::Matrix2d> Simulation::deformation_gradient() const {
