@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "solver/burning/jumping_front.hpp"
 #include "solver/burning/surface_motion.hpp"
 
 namespace crawford {
@@ -43,8 +42,8 @@ public:
         return faster_rate(grid_, materials_.surface_pieces(), rates(temperature));
     }
     SurfaceField rate(const BurningSurface& surface, double dt) const override {
-        return jumping_front_rate(grid_, surface.height, materials_.surface_pieces(),
-                                  rates(surface.temperature), surface.material_velocity, dt);
+        return surface_rate(grid_, surface.height, materials_.surface_pieces(),
+                            rates(surface.temperature), surface.material_velocity, dt);
     }
     double mean_burn_rate(const SurfaceField& height, const NodeField& temperature) const override {
         return mean_over_pieces(grid_, height, materials_.surface_pieces(), rates(temperature));

@@ -1,7 +1,9 @@
 #include "solver/burning/surface_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "solver/mesh/weno.hpp"
 
@@ -12,36 +14,205 @@ namespace {
 // Slopes are of order one: a change of slope of 1e-3 between neighbours is smooth.
 constexpr double smooth_slope_squared = 1e-6;
 
-struct Slopes {
-    double left, right;  // one-sided: from the left and from the right
+/// A segment as it is met from left to right.
+struct Stretch {
+    double slope;
+    double left, right;  ///< fraction of the first material at its two ends
+    bool whole() const { return left == right; }
 };
 
-Slopes one_sided_slopes(const Grid& grid, const SurfaceField& surface, int i) {
-    const auto height = [&](int column) { return surface[size_t(grid.node_column(column).index)]; };
-    std::array<double, 4> slope;  // of the segments i-2 .. i+1
-    for (int k = 0; k < 4; ++k)
-        slope[size_t(k)] = (height(i + k - 1) - height(i + k - 2)) / grid.dx();
-    return {weno3({slope[0], slope[1], slope[2]}, smooth_slope_squared),
-            weno3({slope[3], slope[2], slope[1]}, smooth_slope_squared)};
-}
+/// One-sided slopes within the material of each side; none where that side is cut by an interface.
+struct OwnSlopes {
+    std::optional<double> left, right;
+};
+
+class MovingSurface {
+public:
+    MovingSurface(const Grid& grid, const SurfaceField& surface, const SurfacePieces& pieces,
+                  const RateOfMaterial& rate)
+        : grid_(grid), surface_(surface), pieces_(pieces), rate_(rate) {}
+
+    SurfaceField rate(const std::vector<Vector>& material_velocity, double dt) const {
+        SurfaceField fall(surface_.size());
+        SurfaceField carried(surface_.size(), 0.0);
+        for (int i = 0; i < grid_.node_columns(); ++i) {
+            const OwnSlopes slopes = own_slopes(i);
+            fall[size_t(i)] = std::max(fall_from_left(i, slopes), fall_from_right(i, slopes));
+            if (!material_velocity.empty())
+                carried[size_t(i)] = carried_rate(material_velocity[size_t(i)], slopes);
+        }
+        for_pieces_without_node([&](int i, double r) { raise(fall[size_t(i)], r); });
+        SurfaceField rate(surface_.size());
+        for (size_t i = 0; i < rate.size(); ++i) rate[i] = carried[i] - fall[i];
+        for (int i = 0; i < grid_.cell_columns(); ++i)
+            if (!stretch(i).whole()) drag(i, fall, carried, dt, rate);
+        return rate;
+    }
+
+    SurfaceField faster_rate() const {
+        SurfaceField faster(size_t(grid_.node_columns()));
+        for (int i = 0; i < grid_.node_columns(); ++i)
+            faster[size_t(i)] =
+                std::max(rate_at(stretch(i - 1).right, i), rate_at(stretch(i).left, i));
+        for_pieces_without_node([&](int i, double r) { raise(faster[size_t(i)], r); });
+        return faster;
+    }
+
+private:
+    static void raise(double& value, double other) { value = std::max(value, other); }
+
+    /// The segment over cell column i, which may lie beyond the sides.
+    Stretch stretch(int i) const {
+        const int n = grid_.cell_columns();
+        if (grid_.sides() == Sides::periodic) return inside((i + 2 * n) % n);
+        if (i >= 0 && i < n) return inside(i);
+        const Stretch mirrored = inside(std::clamp(i < 0 ? -1 - i : 2 * n - 1 - i, 0, n - 1));
+        return {-mirrored.slope, mirrored.right, mirrored.left};
+    }
+
+    Stretch inside(int i) const {
+        const SegmentPieces& pieces = pieces_[size_t(i)];
+        return {grid_.slope(surface_, i), pieces.front().fraction, pieces.back().fraction};
+    }
+
+    /// WENO differences that end where the material does: beyond it a slope is repeated from
+    /// upwind, or goes on as a line downwind.
+    static std::optional<double> upwind_slope(const Stretch& far, const Stretch& near,
+                                              const Stretch& ahead, bool far_joins,
+                                              bool ahead_joins) {
+        if (!near.whole()) return std::nullopt;
+        const double behind = far_joins && far.whole() ? far.slope : near.slope;
+        const double before =
+            ahead_joins && ahead.whole() ? ahead.slope : 2.0 * near.slope - behind;
+        return weno3({behind, near.slope, before}, smooth_slope_squared);
+    }
+
+    OwnSlopes own_slopes(int i) const {
+        const Stretch a = stretch(i - 2), b = stretch(i - 1), c = stretch(i), d = stretch(i + 1);
+        const bool through = b.right == c.left;
+        return {upwind_slope(a, b, c, a.right == b.left, through),
+                upwind_slope(d, c, b, c.right == d.left, through)};
+    }
+
+    /// Godunov: sqrt(1 + p^2) grows with |p|, so a side takes its slope where it runs into the node.
+    double fall_from_left(int i, const OwnSlopes& slopes) const {
+        return rate_at(stretch(i - 1).right, i) * std::hypot(1.0, running_right(slopes));
+    }
+    double fall_from_right(int i, const OwnSlopes& slopes) const {
+        return rate_at(stretch(i).left, i) * std::hypot(1.0, running_left(slopes));
+    }
+    static double running_right(const OwnSlopes& slopes) {
+        return std::max(slopes.left.value_or(0.0), 0.0);
+    }
+    static double running_left(const OwnSlopes& slopes) {
+        return std::max(-slopes.right.value_or(0.0), 0.0);
+    }
+
+    static double carried_rate(const Vector& v, const OwnSlopes& slopes) {
+        const auto& upwind = v.x() > 0.0 ? slopes.left : slopes.right;
+        const auto& other = v.x() > 0.0 ? slopes.right : slopes.left;
+        return v.y() - v.x() * upwind.value_or(other.value_or(0.0));
+    }
+
+    /// Pieces between two interfaces in one segment belong to the nearer of its nodes.
+    template <class Visit>
+    void for_pieces_without_node(const Visit& visit) const {
+        for (int i = 0; i < grid_.cell_columns(); ++i)
+            for (const SurfacePiece& piece : pieces_[size_t(i)]) {
+                if (piece.from == 0.0 || piece.to == 1.0) continue;
+                const int right = grid_.right_node(i);
+                visit(piece.from + piece.to > 1.0 ? right : i,
+                      rate_(piece.fraction, {i, right, piece.right_in_middle}));
+            }
+    }
+
+    double rate_at(double fraction, int i) const { return rate_(fraction, {i, i, 0.0}); }
+
+    /// A side of an interface that crosses a segment: its first node and how it comes to the
+    /// crossing from there.
+    struct Side {
+        int node;
+        double fraction;  ///< of the first material
+        double distance;  ///< of the crossing from the node [m]
+        double height;    ///< of the crossing, on the line of the side's own slope [m]
+        double fall;      ///< of the crossing, were it for this side alone [m/s]
+    };
+
+    std::array<Side, 2> sides(int i) const {
+        const SegmentPieces& pieces = pieces_[size_t(i)];
+        const double crossing = 0.5 * (pieces.front().to + pieces.back().from);
+        const double of_right = pieces.front().right_at_end;
+        const int right = grid_.right_node(i);
+        const auto side = [&](int node, double fraction, double distance, double slope,
+                              double of_node) {
+            const SurfacePlace place{i, right, 0.5 * (of_right + of_node)};
+            return Side{node, fraction, distance, surface_[size_t(node)] + distance * slope,
+                        rate_(fraction, place) * std::hypot(1.0, std::max(slope, 0.0))};
+        };
+        return {side(i, pieces.front().fraction, crossing * grid_.dx(),
+                     own_slopes(i).left.value_or(0.0), 0.0),
+                side(right, pieces.back().fraction, (1.0 - crossing) * grid_.dx(),
+                     -own_slopes(right).right.value_or(0.0), 1.0)};
+    }
+
+    /// Where segment i changes material, the side that falls faster leads and drags the other.
+    void drag(int i, const SurfaceField& fall, const SurfaceField& carried, double dt,
+              SurfaceField& rate) const {
+        const auto [left, right] = sides(i);
+        const Side& leader = left.fall > right.fall ? left : right;
+        const Side& other = left.fall > right.fall ? right : left;
+        const auto lead = size_t(leader.node), dragged = size_t(other.node);
+        const double speed = std::max(fall[lead], leader.fall);
+        const double falls = carried[lead] - speed;
+        rate[lead] = std::min(rate[lead], falls);
+        const double ratio = speed / rate_at(other.fraction, other.node);
+        const double plane =
+            leader.height + other.distance * std::sqrt(std::max(ratio * ratio - 1.0, 0.0));
+        rate[dragged] = std::min(rate[dragged], falls + (plane - surface_[dragged]) / dt);
+    }
+
+    const Grid& grid_;
+    const SurfaceField& surface_;
+    const SurfacePieces& pieces_;
+    const RateOfMaterial& rate_;
+};
 
 }  // namespace
 
 SurfaceField surface_rate(const Grid& grid, const SurfaceField& surface,
+                          const SurfacePieces& pieces, const RateOfMaterial& rate,
+                          const std::vector<Vector>& material_velocity, double dt) {
+    return MovingSurface(grid, surface, pieces, rate).rate(material_velocity, dt);
+}
+
+SurfaceField surface_rate(const Grid& grid, const SurfaceField& surface,
                           const SurfaceField& burn_rate,
                           const std::vector<Vector>& material_velocity) {
-    SurfaceField rate(surface.size());
-    for (int i = 0; i < grid.node_columns(); ++i) {
-        const Slopes slope = one_sided_slopes(grid, surface, i);
-        // Godunov: sqrt(1 + p^2) grows with |p|, so the surface takes the steeper of the slopes
-        // that run into it.
-        const double steepest = std::max({slope.left, -slope.right, 0.0});
-        rate[size_t(i)] = -burn_rate[size_t(i)] * std::hypot(1.0, steepest);
-        if (material_velocity.empty()) continue;
-        const Vector& v = material_velocity[size_t(i)];
-        rate[size_t(i)] += v.y() - v.x() * (v.x() > 0.0 ? slope.left : slope.right);
+    const SurfacePieces whole(size_t(grid.cell_columns()), {{0.0, 1.0, 1.0}});
+    const RateOfMaterial rate = [&](double, const SurfacePlace& node) {
+        return burn_rate[size_t(node.left)];
+    };
+    return MovingSurface(grid, surface, whole, rate).rate(material_velocity, 0.0);
+}
+
+SurfaceField faster_rate(const Grid& grid, const SurfacePieces& pieces,
+                         const RateOfMaterial& rate) {
+    const SurfaceField level(size_t(grid.node_columns()), 0.0);
+    return MovingSurface(grid, level, pieces, rate).faster_rate();
+}
+
+double mean_over_pieces(const Grid& grid, const SurfaceField& surface, const SurfacePieces& pieces,
+                        const RateOfMaterial& rate) {
+    double burnt = 0.0;
+    double length = 0.0;
+    for (int i = 0; i < grid.cell_columns(); ++i) {
+        const double segment = grid.dx() * std::hypot(1.0, grid.slope(surface, i));
+        for (const PieceShare& piece : shares_of(pieces[size_t(i)]))
+            burnt += segment * (piece.share[0] + piece.share[1]) *
+                     rate(piece.fraction, {i, grid.right_node(i), piece.right});
+        length += segment;
     }
-    return rate;
+    return burnt / length;
 }
 
 }  // namespace crawford

@@ -1,7 +1,8 @@
 /// Heat in the burning solid (paper eq. 7, 11, 34, 35):
 /// rho c_p DT/Dt = div(kappa grad T) - beta T div v + q.
 ///
-/// Crank-Nicolson in time, or implicit where the time step says so. In space bilinear elements with
+/// Crank-Nicolson in time, a little more implicit where the step is long for the finest cells, or
+/// implicit where the time step says so. In space bilinear elements with
 /// vertex quadrature on the surface-following cells: second order, the flux through the surface is
 /// the natural boundary condition, and the metric cross terms of a sloped surface come with the
 /// gradient. On a flat grid it is the five-point stencil, but for cut cells that conduct as
@@ -48,6 +49,7 @@ private:
     void add_surface_flux(const NodeField& temperature, const SurfaceField& surface);
     void add_source(const SurfaceField& surface, double time);
     void add_flux_source(const SurfaceField& surface, double time);
+    double least_implicit(double dt) const;
     double capacity(int i, int j, double temperature) const;
     double adiabatic_capacity(int i, int j, double temperature) const;
     void check_coupling(int i, int j, double heat_capacity, double temperature) const;
@@ -59,6 +61,7 @@ private:
     SpaceTimeFunction<double> flux_source_;
     Numerics numerics_;
     bool deforms_;
+    double stiffest_rate_;
     NodeStencil transport_;  ///< diffusion and convection, [W/K] per unit thickness
     NodeField mass_;         ///< lumped heat capacity [J/K]
     NodeField load_;         ///< flux, stress work, source [W]
