@@ -59,8 +59,7 @@ double JumpingFront::height(double x, double t) const {
     const double reach = head_reach(t);
     const double distance = std::min(place, slower_width() - place);
     if (distance <= 0.0) return -faster_ * t;
-    if (distance < reach) return head_slope() * distance - faster_ * t;
-    return std::min(-slower_ * t, head_slope() * distance - faster_ * t);
+    return distance <= reach ? head_slope() * distance - faster_ * t : -slower_ * t;
 }
 
 double JumpingFront::slope(double x, double t) const {
