@@ -35,6 +35,7 @@ constexpr std::array<Pair, term::all.size()> headings{{
     {term::pyrolysis, burning},
     {term::surface_motion, burning},
     {term::surface_kink, burning},
+    {term::surface_jump, burning},
     {term::map_advection, reference_map},
     {term::deformation, reference_map},
     {term::clustering, grid},

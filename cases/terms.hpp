@@ -25,6 +25,7 @@ inline constexpr auto incompressibility = "momentum: K >> mu without locking";
 inline constexpr auto pyrolysis = "surface: r_b = A exp(-Ea/(R T_s))";
 inline constexpr auto surface_motion = "surface: phi_t = -r_b sqrt(1 + phi_x^2)";
 inline constexpr auto surface_kink = "surface: kinks";
+inline constexpr auto surface_jump = "surface: a burn rate that jumps";
 inline constexpr auto map_advection = "map: D(xi)/Dt = 0";
 inline constexpr auto deformation = "map: F = (grad xi)^-1, E = (F^T F - I)/2";
 inline constexpr auto clustering = "grid: clustering";
@@ -34,11 +35,12 @@ inline constexpr auto moving_morphology = "morphology: material that moves throu
 inline constexpr auto time_step = "time: order of a step";
 
 inline constexpr std::array all{
-    heat_storage,      heat_convection, heat_conduction, heat_interface,   stress_work,
-    gas_flux,          reaction_flux,   elasticity,      stress_advection, jaumann_rotation,
-    thermal_stress,    equilibrium,     traction,        support,          elastic_interface,
-    incompressibility, pyrolysis,       surface_motion,  surface_kink,     map_advection,
-    deformation,       clustering,      slope,           grid_motion,      moving_morphology,
-    time_step};
+    heat_storage,     heat_convection,   heat_conduction,   heat_interface,
+    stress_work,      gas_flux,          reaction_flux,     elasticity,
+    stress_advection, jaumann_rotation,  thermal_stress,    equilibrium,
+    traction,         support,           elastic_interface, incompressibility,
+    pyrolysis,        surface_motion,    surface_kink,      surface_jump,
+    map_advection,    deformation,       clustering,        slope,
+    grid_motion,      moving_morphology, time_step};
 
 }  // namespace crawford::term

@@ -1,0 +1,133 @@
+/// # A speed that jumps: does the faster side lead, wherever the interface lies?
+///
+/// phi_t = -r(x) sqrt(1 + phi_x^2) with a rate that jumps has one stable solution, that of the
+/// fastest path (reference/jumping_front.hpp): level over the faster material, and beside it a plane
+/// that the interface drags through the slower one. A mean of the two rates at the interface, the
+/// nearest thing to do, drags too slowly for ever: the plane is then wrong by a fixed slope, on
+/// every grid.
+///
+/// The rates are given, so the front is tried by itself: interfaces on nodes, between nodes, hard by
+/// a node, a strip of less than a cell, and the faster material inside or outside. The sides of the
+/// strip stand at no simple part of a cell on any grid.
+///
+/// - At the interface, and where head waves meet, the front has kinks: order one in Linf, as far as
+///   a kink reaches.
+/// - Away from kinks every piece is a plane, which any scheme of second order has exactly: what is
+///   left there is what the kinks sent out. The start sends it: over the slower material a plane
+///   grows out of a point.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/registry.hpp"
+#include "cases/terms.hpp"
+#include "cases/units.hpp"
+#include "cases/verify/ssp_step.hpp"
+#include "reference/jumping_front.hpp"
+#include "solver/burning/surface_motion.hpp"
+#include "solver/materials/material_map.hpp"
+
+namespace crawford {
+
+namespace {
+
+using namespace units;
+using reports::at_most;
+using reports::expect;
+using reports::Norm;
+
+constexpr double width = 240.0 * um;
+constexpr double fast = 5.0e-3 * m / s;
+constexpr double slow = 2.5e-3 * m / s;
+
+constexpr auto height = "phi";
+constexpr auto away = "phi away from kinks [cells]";
+
+reference::JumpingRate strip_of(double strip, double strip_rate, double outer_rate) {
+    return {.width = width,
+            .left = -0.5 * strip,
+            .right = 0.5 * strip,
+            .strip_rate = strip_rate,
+            .outer_rate = outer_rate};
+}
+
+/// Burns a level surface over a sandwich for `duration`.
+SurfaceField burn(const Grid& grid, const SurfacePieces& pieces,
+                  const reference::JumpingRate& given, double duration) {
+    const RateOfMaterial rate = [&](double fraction, const SurfacePlace&) {
+        return fraction == 1.0 ? given.outer_rate : given.strip_rate;
+    };
+    const int steps = int(std::ceil(2.5 * duration * fast / grid.dx()));
+    const double dt = duration / steps;
+    const auto blend = [](double a, const SurfaceField& x, double b, const SurfaceField& y) {
+        SurfaceField sum(x.size());
+        std::ranges::transform(x, y, sum.begin(),
+                               [&](double p, double q) { return a * p + b * q; });
+        return sum;
+    };
+    const auto euler = [&](const SurfaceField& phi) {
+        return blend(1.0, phi, dt, surface_rate(grid, phi, pieces, rate, {}, dt));
+    };
+    SurfaceField surface(size_t(grid.node_columns()), 0.0);
+    for (int n = 0; n < steps; ++n) surface = ssp_step(surface, euler, blend);
+    return surface;
+}
+
+double distance_to(const std::vector<double>& kinks, double x) {
+    double nearest = width;
+    for (const double kink : kinks)
+        nearest = std::min(nearest, std::abs(std::remainder(x - kink, width)));
+    return nearest;
+}
+
+reports::Measurement front(const reference::JumpingRate& given, int cells) {
+    const reference::JumpingFront exact(given);
+    const double duration = 20.0 * um / slow;
+    const Grid grid({.width = width, .depth = width, .nx = cells, .ny = 2});
+    const Morphology sandwich{.shape = Sandwich{given.right - given.left},
+                              .materials = {ammonium_perchlorate(), htpb_binder()}};
+    const SurfaceField found =
+        burn(grid, MaterialMap(sandwich, grid).surface_pieces(), given, duration);
+    const std::vector<double> kinks = exact.kinks(duration);
+    SurfaceField truth;
+    double worst = 0.0;
+    for (int i = 0; i < grid.node_columns(); ++i) {
+        truth.push_back(exact.height(grid.x(i), duration));
+        const double error = std::abs(found[size_t(i)] - truth.back());
+        if (distance_to(kinks, grid.x(i)) > width / 16.0) worst = std::max(worst, error);
+    }
+    return reports::Measurement(1.0 / cells)
+        .field(height, found, truth)
+        .value(away, worst / grid.dx());
+}
+
+reports::Study jump(const std::string& name, const reference::JumpingRate& given) {
+    reports::Study study("front-jump, " + name);
+    study.refines("columns", {32, 64, 128, 256})
+        .measure([=](int cells) { return front(given, cells); })
+        .covers({term::surface_motion, term::surface_jump})
+        .gate(
+            height, Norm::L1, expect(2.0).or_better(0.4).scattering(1.3),
+            "planes are exact: order h at the few nodes beside kinks alone, which wander in cells")
+        .bound(away, 256, at_most(1e-3),
+               "round-off; a plane of wrong slope, as a mean of the rates drags it, is cells off");
+    return study;
+}
+
+std::vector<reports::Study> studies() {
+    return {jump("slow strip, interfaces on nodes", strip_of(60.0 * um, slow, fast)),
+            jump("slow strip, interfaces between nodes", strip_of(64.1 * um, slow, fast)),
+            jump("slow strip, interfaces hard by nodes", strip_of(60.001 * um, slow, fast)),
+            jump("fast strip, interfaces between nodes", strip_of(64.1 * um, fast, slow)),
+            jump("fast strip of less than a cell", strip_of(0.7 * um, fast, slow))};
+}
+
+const Registered here{{.name = "front-jump",
+                       .figure = "-",
+                       .shows = "the front where the burn rate jumps",
+                       .cost = {.verify = 2.0},
+                       .studies = studies}};
+
+}  // namespace
+
+}  // namespace crawford
