@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "solver/burning/burn_rate.hpp"
+#include "solver/burning/flux_modulation.hpp"
 #include "solver/burning/surface_motion.hpp"
 #include "solver/heat/heat_step.hpp"
 #include "solver/projection/projection.hpp"
@@ -63,6 +64,7 @@ struct Simulation::Modules {
           law(scene.physics.regression, scene.surface),
           checkerboard(grid, materials, scene.numerics.element),
           state(initial_state(scene, grid)) {
+        if (scene.surface.ripple) materials.follow(state.surface, state.reference_shift);
         if (scene.physics.heat)
             heat = std::make_unique<HeatStep>(scene, grid, materials, law, sources);
         if (!scene.physics.mechanics) return;
@@ -107,6 +109,8 @@ struct Simulation::Modules {
     }
 
     void move_heat(State& next, const State& now, const TimeStep& step) {
+        if (scene.surface.modulation)
+            law = {scene.physics.regression, heated_at(scene.surface, step.heat_time())};
         const SurfaceField rate = surface_rate_of(now.surface, now.temperature, now.velocity);
         const HeatMotion motion{{now.surface, rate, now.velocity}, now.temperature_rate};
         stopwatch.measure("heat", [&] {
