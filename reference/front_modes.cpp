@@ -47,6 +47,10 @@ SteadyFront steady_front(const SlabConditions& conditions) {
             .reaction = m.heat_of_reaction / (m.specific_heat * rise)};
 }
 
+double SteadyFront::temperature(double eta) const {
+    return cold_temperature + rise * std::exp(wave_number() * eta);
+}
+
 Complex FrontMode::temperature(const SteadyFront& front, double eta) const {
     const double y = front.wave_number() * eta;
     return front.wave_number() * front.rise * (own_heat * std::exp(depth_decay * y) + std::exp(y));

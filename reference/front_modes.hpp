@@ -16,6 +16,8 @@ struct SteadyFront {
     double sensitivity;       ///< z = dT Ea/(R T_s^2)
     double reaction;          ///< Theta = q_s/(c dT), above zero where pyrolysis frees heat
 
+    /// T [K] at eta [m] below the front.
+    double temperature(double eta) const;
     double rate_unit() const { return burn_rate * burn_rate / diffusivity; }  ///< r^2/alpha [1/s]
     double wave_number() const { return burn_rate / diffusivity; }            ///< r/alpha [1/m]
 };

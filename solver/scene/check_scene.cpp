@@ -153,7 +153,7 @@ void check_modulation(const Scene& scene) {
             "surface.modulation never lets the burn rate settle; remove it, or time.until_steady");
     constexpr double fewest_steps = 4.0;  // a period that has less is another, slower one
     const double steps = 1.0 / (m.frequency * scene.time.step);
-    require(steps >= fewest_steps,
+    require(steps >= fewest_steps * (1.0 - 1e-9),
             "surface.modulation.frequency = {:.6g} Hz leaves {:.3g} steps a period; the limit is "
             "{}: reduce time.step = {} s",
             m.frequency, steps, fewest_steps, scene.time.step);
