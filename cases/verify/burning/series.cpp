@@ -7,15 +7,17 @@ namespace crawford {
 
 std::complex<double> swing(std::span<const double> series, double start, double step, double w) {
     const auto count = Eigen::Index(series.size());
-    Eigen::MatrixXd model(count, 4);
+    Eigen::MatrixXd model(count, 8);
     Eigen::VectorXd found(count);
     for (Eigen::Index k = 0; k < count; ++k) {
         const double t = start + double(k) * step;
-        model.row(k) << 1.0, double(k) / double(count), std::cos(w * t), -std::sin(w * t);
+        const double d = double(k) / double(count);
+        model.row(k) << std::cos(w * t), -std::sin(w * t), std::cos(2.0 * w * t),
+            std::sin(2.0 * w * t), 1.0, d, d * d, d * d * d;
         found[k] = series[size_t(k)];
     }
     const Eigen::VectorXd fit = model.colPivHouseholderQr().solve(found);
-    return {fit[2], fit[3]};
+    return {fit[0], fit[1]};
 }
 
 std::complex<double> swinging_growth(std::span<const double> series, double step, int lag) {

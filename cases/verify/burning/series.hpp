@@ -6,8 +6,9 @@
 
 namespace crawford {
 
-/// The part of a series that swings with angular frequency w [1/s]: c, where x(t) = mean + drift t +
-/// Re(c e^{i w t}) fits best.
+/// The part of a series that swings with angular frequency w [1/s]: c, where x(t) = Re(c e^{i w t})
+/// fits best, beside twice the frequency, which comes with the amplitude, and a cubic in t, for what
+/// drifts meanwhile.
 /// \param start time of the first value [s]
 std::complex<double> swing(std::span<const double> series, double start, double step, double w);
 
