@@ -120,6 +120,7 @@ SlabState Slab::state_at_rise(double rise) const {
     const double p_wave = material.uniaxial_modulus();
     const double p_c = conditions_.pressure;
     SlabState state{};
+    state.rise = rise;
     state.temperature = conditions_.cold_temperature + rise;
     state.temperature_gradient =
         (burn_rate_ * energy_.heat_content(rise) + bottom_flux_) / material.thermal_conductivity;

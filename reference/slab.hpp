@@ -18,6 +18,7 @@ struct SlabState {
     double stress_33;             ///< [Pa]
     double pressure;              ///< -(trace of stress)/3 [Pa]
     double deformation_gradient_22;  ///< F22, see Slab::deformation_gradient_22
+    double rise;  ///< T - T0 [K], which far below is less than T tells apart from T0
 };
 
 /// The homogeneous steady burning slab in closed form: T_s from kappa T' = r_b g(D) + C at the

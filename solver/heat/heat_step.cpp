@@ -65,7 +65,7 @@ int HeatStep::advance(NodeField& temperature, const NodeField& lagged, const Hea
     if (flux_source_) add_flux_source(motion.surface, step.heat_time());
 
     // (M/dt + theta L) T' = (M/dt - (1 - theta) L) T + load   (paper eq. 34, theta = 1/2)
-    const double theta = std::max(step.implicit_heat, least_implicit(step.span));
+    const double theta = step.implicit_heat;
     NodeField& rhs = load_;
     for (int i = 0; i < temperature.columns(); ++i)
         for (int j = 1; j < temperature.rows(); ++j)
@@ -84,11 +84,7 @@ int HeatStep::advance(NodeField& temperature, const NodeField& lagged, const Hea
     return sweeps;
 }
 
-/// Crank-Nicolson hardly damps a zigzag in a step that is long for it, and turns its sign at every
-/// step: on 512 columns of a sandwich that ends the burn. The least implicit weight for which a
-/// step leaves no more than 0.8 of it,
-///     (1 - (1 - theta) z)/(1 + theta z) >= -0.8,   z = dt times the stiffest rate,
-/// is above one half from z = 18 on, and never above 5/9.
+/// (1 - (1 - theta) z)/(1 + theta z) >= -0.8, z = dt times the stiffest rate.
 double HeatStep::least_implicit(double dt) const {
     constexpr double left = 0.8;
     return 1.0 / (1.0 + left) - 1.0 / (dt * stiffest_rate_);

@@ -1,8 +1,7 @@
 /// Heat in the burning solid (paper eq. 7, 11, 34, 35):
 /// rho c_p DT/Dt = div(kappa grad T) - beta T div v + q.
 ///
-/// Crank-Nicolson in time, a little more implicit where the step is long for the finest cells, or
-/// implicit where the time step says so. In space bilinear elements with
+/// Crank-Nicolson in time, or as implicit as the time step says. In space bilinear elements with
 /// vertex quadrature on the surface-following cells: second order, the flux through the surface is
 /// the natural boundary condition, and the metric cross terms of a sloped surface come with the
 /// gradient. On a flat grid it is the five-point stencil, but for cut cells that conduct as
@@ -41,6 +40,12 @@ public:
         return advance(temperature, temperature, motion, euler_step(time, dt));
     }
 
+    /// Crank-Nicolson hardly damps a zigzag in a step that is long for it, and turns its sign at
+    /// every step: on 512 columns of a sandwich that ends the burn. This is the least share of the
+    /// new temperature for which a step leaves no more than 0.8 of the stiffest zigzag; it is above
+    /// one half where the step is more than 18 of its times, and never above 5/9.
+    double least_implicit(double dt) const;
+
 private:
     void assemble(const NodeField& temperature, const HeatMotion& motion);
     void add_cell(int i, int j, const NodeField& temperature, const HeatMotion& motion);
@@ -49,7 +54,6 @@ private:
     void add_surface_flux(const NodeField& temperature, const SurfaceField& surface);
     void add_source(const SurfaceField& surface, double time);
     void add_flux_source(const SurfaceField& surface, double time);
-    double least_implicit(double dt) const;
     double capacity(int i, int j, double temperature) const;
     double adiabatic_capacity(int i, int j, double temperature) const;
     void check_coupling(int i, int j, double heat_capacity, double temperature) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/errors.hpp"
 
@@ -127,6 +128,37 @@ void check_physics(const Scene& scene) {
             scene.surface.burn_rate);
 }
 
+void check(const Ripple& ripple, const Domain& d) {
+    require(d.nx >= 4 * ripple.waves,
+            "surface.ripple.waves = {} leaves {:.3g} cells a wave; the limit is 4: raise "
+            "domain.nx = {}",
+            ripple.waves, 1.0 * d.nx / ripple.waves, d.nx);
+    constexpr double steepest = 3.0;  // what the grid holds
+    const double slope = 2.0 * std::numbers::pi * ripple.waves * ripple.amplitude / d.width;
+    require(
+        slope <= steepest,
+        "surface.ripple has the slope {:.3g}; the limit is {:.3g}: lower its amplitude = {:.6g} "
+        "um or its waves = {}",
+        slope, steepest, ripple.amplitude / micrometre, ripple.waves);
+    require(ripple.amplitude < 0.5 * d.depth,
+            "surface.ripple.amplitude = {:.6g} um is not below half of domain.depth = {:.6g} um",
+            ripple.amplitude / micrometre, d.depth / micrometre);
+}
+
+void check_modulation(const Scene& scene) {
+    const FluxModulation& m = *scene.surface.modulation;
+    require(scene.physics.heat,
+            "surface.modulation swings the heat flux; set physics.heat = true or remove it");
+    require(!scene.time.until_steady,
+            "surface.modulation never lets the burn rate settle; remove it, or time.until_steady");
+    constexpr double fewest_steps = 4.0;  // a period that has less is another, slower one
+    const double steps = 1.0 / (m.frequency * scene.time.step);
+    require(steps >= fewest_steps * (1.0 - 1e-9),
+            "surface.modulation.frequency = {:.6g} Hz leaves {:.3g} steps a period; the limit is "
+            "{}: reduce time.step = {} s",
+            m.frequency, steps, fewest_steps, scene.time.step);
+}
+
 void check_times(const Scene& scene) {
     const Time& t = scene.time;
     require(t.end >= t.step, "time.end = {} s comes before the first step, time.step = {} s", t.end,
@@ -149,6 +181,8 @@ void check(const Scene& scene) {
     check(scene.morphology, scene.domain);
     check_physics(scene);
     check_times(scene);
+    if (scene.surface.modulation) check_modulation(scene);
+    if (scene.surface.ripple) check(*scene.surface.ripple, scene.domain);
 }
 
 }  // namespace crawford

@@ -92,6 +92,17 @@ std::vector<double> read_heat_flux(TomlTable& surface, const std::vector<Materia
     return fluxes;
 }
 
+/// A table that is there or not.
+template <class Part>
+void read_optional(TomlTable& parent, const char* key, std::optional<Part>& part) {
+    if (!parent.has(key)) {
+        parent.allow(key);
+        return;
+    }
+    part.emplace();
+    read_part(parent, key, *part);
+}
+
 void read_surface(TomlTable& root, Scene& scene, const std::vector<Material>& materials) {
     const auto when = [](bool needed) { return needed ? Need::required : Need::optional; };
     TomlTable table = root.table("surface");
@@ -99,6 +110,8 @@ void read_surface(TomlTable& root, Scene& scene, const std::vector<Material>& ma
                 when(scene.physics.regression == Regression::fixed));
     scene.surface.heat_flux =
         read_heat_flux(table, scene.morphology.materials, materials, when(scene.physics.heat));
+    read_optional(table, "modulation", scene.surface.modulation);
+    read_optional(table, "ripple", scene.surface.ripple);
     table.finish(
         fmt::format("; needed with physics.heat = {}, mechanics = {}, regression = {}",
                     scene.physics.heat, scene.physics.mechanics,

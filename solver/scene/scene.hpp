@@ -61,11 +61,25 @@ enum class Traction {
     vertical  ///< (0, -p_c) per unit x, the paper's
 };
 
+/// The flame swings: the flux into every material times 1 + amplitude cos(2 pi frequency t).
+struct FluxModulation {
+    double amplitude = 0.0;
+    double frequency = 0.0;  ///< [Hz]
+};
+
+/// The surface at the start: phi = amplitude cos(2 pi waves x/width).
+struct Ripple {
+    double amplitude = 0.0;  ///< [m]
+    int waves = 1;           ///< over the whole width
+};
+
 struct Surface {
     double pressure = 0.0;               ///< chamber pressure p_c [Pa]
     std::vector<double> heat_flux = {};  ///< Q_g of each material [W/m^2]
     double burn_rate = 0.0;              ///< r_b of Regression::fixed [m/s]
     Traction traction = Traction::normal;
+    std::optional<FluxModulation> modulation = std::nullopt;  ///< steady where not given
+    std::optional<Ripple> ripple = std::nullopt;              ///< level where not given
 };
 
 enum class Support {

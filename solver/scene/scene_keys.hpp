@@ -71,6 +71,18 @@ void visit(Table& table, Surface& s, Need pressure, Need burn_rate) {
 }
 
 template <class Table>
+void visit(Table& table, FluxModulation& m) {
+    table.number("amplitude", m.amplitude, {"", 0.0, 1.0}, Need::required);
+    table.quantity("frequency", m.frequency, {"Hz", 1e-3, 1e12}, Need::required);
+}
+
+template <class Table>
+void visit(Table& table, Ripple& r) {
+    table.quantity("amplitude", r.amplitude, {"m", 0.0, 1.0}, Need::required);
+    table.integer("waves", r.waves, {1, 4096}, Need::optional);
+}
+
+template <class Table>
 void visit(Table& table, Bottom& b) {
     static constexpr std::array supports{Word<Support>{"roller", Support::roller},
                                          Word<Support>{"clamped", Support::clamped}};

@@ -47,7 +47,7 @@ public:
     void quantity(const char* key, const std::optional<double>& value, const Limits& limits) {
         if (value) quantity(key, *value, limits);
     }
-    void number(const char* key, double value, const Limits&) {
+    void number(const char* key, double value, const Limits&, Need = Need::optional) {
         line(key, fmt::format("{}", value));
     }
     void number(const char* key, const std::optional<double>& value, const Limits& limits) {
@@ -128,6 +128,14 @@ std::string to_toml(const Scene& scene) {
     out.section("surface");
     keys::visit(out, s.surface, Need::optional, Need::optional);
     if (!s.surface.heat_flux.empty()) out.line("heat_flux", heat_flux(s));
+    if (s.surface.modulation) {
+        out.section("surface.modulation");
+        keys::visit(out, *s.surface.modulation);
+    }
+    if (s.surface.ripple) {
+        out.section("surface.ripple");
+        keys::visit(out, *s.surface.ripple);
+    }
     out.section("bottom");
     keys::visit(out, s.bottom);
     out.section("time");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "solver/burning/flux_modulation.hpp"
 #include "solver/burning/front_motion.hpp"
 #include "solver/heat/heat_step.hpp"
 #include "solver/projection/projection.hpp"
@@ -64,6 +65,7 @@ struct Simulation::Modules {
           front(front_motion(scene.numerics.front, grid, materials, law)),
           checkerboard(grid, materials, scene.numerics.element),
           state(initial_state(scene, grid)) {
+        if (scene.surface.ripple) materials.follow(state.surface, state.reference_shift);
         if (scene.physics.heat)
             heat = std::make_unique<HeatStep>(scene, grid, materials, law, sources);
         if (!scene.physics.mechanics) return;
@@ -99,14 +101,19 @@ struct Simulation::Modules {
     }
 
     /// One step. `next` enters as the base of the step; `now` is the explicit state.
-    void advance(State& next, const State& now, const TimeStep& step) {
-        if (heat) move_heat(next, now, step);
+    void advance(State& next, const State& now, TimeStep step) {
+        if (heat) {
+            step.implicit_heat = std::max(step.implicit_heat, heat->least_implicit(step.span));
+            move_heat(next, now, step);
+        }
         const SurfaceField base = next.surface;
         move_surface(next, now, step);
         if (stress) move_solid(next, now, base, step);
     }
 
     void move_heat(State& next, const State& now, const TimeStep& step) {
+        if (scene.surface.modulation)
+            law = {scene.physics.regression, heated_at(scene.surface, step.heat_time())};
         const SurfaceField rate = surface_rate_of(now.surface, now.temperature, now.velocity);
         const HeatMotion motion{{now.surface, rate, now.velocity}, now.temperature_rate};
         stopwatch.measure("heat", [&] {

@@ -1,6 +1,8 @@
 #include "solver/step/state.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "solver/element/element.hpp"
 #include "solver/step/state_fields.hpp"
@@ -50,6 +52,14 @@ bool alike(const std::vector<Value>& a, const std::vector<Value>& b) {
     return std::ranges::equal(a, b, [](const Value& x, const Value& y) { return alike(x, y); });
 }
 
+SurfaceField surface_of(const Ripple& ripple, const Grid& grid, double width) {
+    SurfaceField surface(size_t(grid.node_columns()));
+    const double wave_number = 2.0 * std::numbers::pi * ripple.waves / width;
+    for (int i = 0; i < grid.node_columns(); ++i)
+        surface[size_t(i)] = ripple.amplitude * std::cos(wave_number * grid.x(i));
+    return surface;
+}
+
 }  // namespace
 
 State initial_state(const Scene& scene, const Grid& grid) {
@@ -59,6 +69,8 @@ State initial_state(const Scene& scene, const Grid& grid) {
         if (field.wanted(scene.physics)) allocate(field.of(state), field.place, grid, points);
     });
     std::ranges::fill(state.temperature.values(), scene.bottom.temperature);
+    if (scene.surface.ripple)
+        state.surface = surface_of(*scene.surface.ripple, grid, scene.domain.width);
     return state;
 }
 
