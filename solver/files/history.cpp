@@ -14,9 +14,16 @@ namespace crawford {
 
 namespace {
 
-const std::string header =
-    "time [s],mean burn rate [m/s],max T [K],max strain [-],residual [-],solver iterations,"
-    "strain within 5 um of max [-],max p [Pa],p within 5 um of max [Pa]\n";
+/// One line of the file: what `cell` gives for each column.
+template <class Cell>
+std::string line(const Cell& cell) {
+    std::string text;
+    for (const HistoryColumn& column : history_columns)
+        text += fmt::format("{}{}", text.empty() ? "" : ",", cell(column));
+    return text + '\n';
+}
+
+const std::string header = line([](const HistoryColumn& column) { return column.heading; });
 
 /// The part of a history up to and including `time`.
 std::string rows_until(const std::string& text, double time) {
@@ -79,11 +86,7 @@ History History::resume(const std::filesystem::path& path, double time) {
 }
 
 void History::append(const HistoryRow& row) {
-    file_ << fmt::format("{},{},{},{},{},{},{},{},{}\n", row.time, row.mean_burn_rate,
-                         row.largest_temperature, row.largest_strain, row.residual,
-                         row.solver_iterations, row.strain_about_peak, row.largest_pressure,
-                         row.pressure_about_peak)
-          << std::flush;
+    file_ << line([&](const HistoryColumn& column) { return row.*column.member; }) << std::flush;
     if (!file_)
         throw InputError(fmt::format("cannot write {}: {}", path_.string(), strerror(errno)));
 }
@@ -97,10 +100,11 @@ std::vector<HistoryRow> read_history(const std::filesystem::path& path) {
     for (size_t end = text.find('\n', begin); end != std::string::npos;
          begin = end + 1, end = text.find('\n', begin)) {
         const auto n = numbers(std::string_view(text).substr(begin, end - begin));
-        if (n.size() != 9)
-            throw InputError(fmt::format("{}: row {} has {} numbers, not 9", path.string(),
-                                         rows.size() + 1, n.size()));
-        rows.push_back({n[0], n[1], n[2], n[3], n[4], int(n[5]), n[6], n[7], n[8]});
+        if (n.size() != history_columns.size())
+            throw InputError(fmt::format("{}: row {} has {} numbers, not {}", path.string(),
+                                         rows.size() + 1, n.size(), history_columns.size()));
+        HistoryRow& row = rows.emplace_back();
+        for (size_t k = 0; k < n.size(); ++k) row.*history_columns[k].member = n[k];
     }
     return rows;
 }

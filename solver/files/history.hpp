@@ -1,23 +1,51 @@
 /// The course of a run as one table: `<name>_history.csv`.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
 namespace crawford {
 
-/// One row.
+/// One row. What the scene does not compute is 0.
 struct HistoryRow {
-    double time;                 ///< [s]
-    double mean_burn_rate;       ///< [m/s]
-    double largest_temperature;  ///< [K]
-    double largest_strain;
-    double residual;
-    int solver_iterations;
-    double strain_about_peak;    ///< mean over peak_radius about the largest; see Peak
-    double largest_pressure;     ///< [Pa]
-    double pressure_about_peak;  ///< likewise [Pa]
+    double time = 0.0;                 ///< [s]
+    double mean_burn_rate = 0.0;       ///< [m/s]
+    double largest_temperature = 0.0;  ///< [K]
+    double largest_strain = 0.0;
+    double residual = 0.0;
+    double solver_iterations = 0.0;
+    double strain_about_peak = 0.0;    ///< mean over peak_radius about the largest; see Peak
+    double largest_pressure = 0.0;     ///< [Pa]
+    double pressure_about_peak = 0.0;  ///< likewise [Pa]
+    double regression_rate = 0.0;      ///< drop of the mean height in the last step, per time [m/s]
+    double least_temperature = 0.0;    ///< [K]
+    double largest_slope = 0.0;        ///< of the surface, in magnitude
+    double step = 0.0;                 ///< length of the last step [s]
+};
+
+/// A column of the file: its heading, with the unit, and the member that it holds.
+struct HistoryColumn {
+    const char* heading;
+    double HistoryRow::*member;
+};
+
+/// All of them, in the order of the file: writing and reading go through this list.
+inline constexpr std::array history_columns{
+    HistoryColumn{"time [s]", &HistoryRow::time},
+    HistoryColumn{"mean burn rate [m/s]", &HistoryRow::mean_burn_rate},
+    HistoryColumn{"max T [K]", &HistoryRow::largest_temperature},
+    HistoryColumn{"max strain [-]", &HistoryRow::largest_strain},
+    HistoryColumn{"residual [-]", &HistoryRow::residual},
+    HistoryColumn{"solver iterations", &HistoryRow::solver_iterations},
+    HistoryColumn{"strain within 5 um of max [-]", &HistoryRow::strain_about_peak},
+    HistoryColumn{"max p [Pa]", &HistoryRow::largest_pressure},
+    HistoryColumn{"p within 5 um of max [Pa]", &HistoryRow::pressure_about_peak},
+    HistoryColumn{"regression rate [m/s]", &HistoryRow::regression_rate},
+    HistoryColumn{"min T [K]", &HistoryRow::least_temperature},
+    HistoryColumn{"max slope [-]", &HistoryRow::largest_slope},
+    HistoryColumn{"step [s]", &HistoryRow::step},
 };
 
 /// Rows are appended and flushed one by one: a run that is killed leaves the rows it had reached.

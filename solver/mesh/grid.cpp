@@ -28,4 +28,11 @@ NodeColumn Grid::node_column(int i) const {
     return {period - within, true};
 }
 
+double mean_height(const Grid& grid, const SurfaceField& surface) {
+    double area = 0.0;
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        area += 0.5 * grid.dx() * (surface[size_t(i)] + surface[size_t(grid.right_node(i))]);
+    return area / grid.width();
+}
+
 }  // namespace crawford

@@ -70,4 +70,7 @@ private:
     std::vector<double> metric_;
 };
 
+/// Of the straight surface between the node columns, over the width [m].
+double mean_height(const Grid& grid, const SurfaceField& surface);
+
 }  // namespace crawford

@@ -100,6 +100,7 @@ KeptRun load(const Scene& scene, const fs::path& directory) {
          read_history(directory / fmt::format("{}_history.csv", run_name))) {
         run.time.push_back(row.time);
         run.mean_burn_rate.push_back(row.mean_burn_rate);
+        run.regression_rate.push_back(row.regression_rate);
         run.largest_temperature.push_back(row.largest_temperature);
         run.largest_strain.push_back(row.largest_strain);
         run.strain_about_peak.push_back(row.strain_about_peak);

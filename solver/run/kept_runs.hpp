@@ -19,6 +19,7 @@ struct KeptRun {
     std::filesystem::path directory;          ///< its history, checkpoints, last snapshot, manifest
     std::vector<double> time;                 ///< [s]
     std::vector<double> mean_burn_rate;       ///< [m/s]
+    std::vector<double> regression_rate;      ///< drop of the mean height per time [m/s]
     std::vector<double> largest_temperature;  ///< [K]
     std::vector<double> largest_strain;       ///< on this grid
     std::vector<double> strain_about_peak;    ///< mean over peak_radius about it

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,13 @@ History open_history(const std::filesystem::path& path, const State& state) {
     return state.step == 0 ? History::start(path) : History::resume(path, state.time);
 }
 
+double largest_slope(const Grid& grid, const SurfaceField& surface) {
+    double largest = 0.0;
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        largest = std::max(largest, std::abs(grid.slope(surface, i)));
+    return largest;
+}
+
 HistoryRow row(const Simulation& simulation, const Summary& summary) {
     const State& state = simulation.state();
     HistoryRow row{.time = state.time,
@@ -23,10 +31,11 @@ HistoryRow row(const Simulation& simulation, const Summary& summary) {
                    .largest_temperature = summary.largest_temperature,
                    .largest_strain = summary.largest_strain,
                    .residual = summary.residual,
-                   .solver_iterations = summary.solver_iterations,
-                   .strain_about_peak = 0.0,
-                   .largest_pressure = 0.0,
-                   .pressure_about_peak = 0.0};
+                   .solver_iterations = double(summary.solver_iterations),
+                   .regression_rate = summary.regression_rate,
+                   .least_temperature = summary.least_temperature,
+                   .largest_slope = largest_slope(simulation.grid(), state.surface),
+                   .step = simulation.scene().time.step};
     if (state.stress.pressure.empty()) return row;
     const NodeVectors position = positions(simulation.grid(), state.surface);
     const CellField material = simulation.material_fraction();

@@ -54,6 +54,7 @@ struct Simulation::Modules {
     State state;
     Stopwatch stopwatch;
     int solver_iterations = 0;
+    double regression_rate = 0.0;    ///< of the last step [m/s]
     CellField shear_modulus_before;  ///< of the last step, where the morphology moves
 
     Modules(Scene s, Sources given)
@@ -210,6 +211,11 @@ void Simulation::step(double end) {
         throw NumericalFailure(std::move(fields));
     }
     if (!modules_->stress && modules_->materials.moves()) modules_->materials.follow(next.surface);
+    const auto height = [&](const State& state) {
+        return mean_height(modules_->grid, state.surface);
+    };
+    modules_->regression_rate =
+        (height(modules_->state) - height(next)) / modules_->scene.time.step;
     next.previous = modules_->remembered(std::move(modules_->state));
     modules_->state = std::move(next);
 }
@@ -244,8 +250,12 @@ Summary Simulation::summary() const {
     const State& s = modules_->state;
     Summary summary;
     summary.mean_burn_rate = modules_->front->mean_burn_rate(s.surface, s.temperature);
-    if (!s.temperature.empty())
-        summary.largest_temperature = *std::ranges::max_element(s.temperature.values());
+    summary.regression_rate = modules_->regression_rate;
+    if (!s.temperature.empty()) {
+        const auto [least, largest] = std::ranges::minmax(s.temperature.values());
+        summary.least_temperature = least;
+        summary.largest_temperature = largest;
+    }
     if (!s.reference_shift.empty())
         summary.largest_strain = *std::ranges::max_element(strain_norm().values());
     if (modules_->projection)

@@ -18,7 +18,9 @@ namespace crawford {
 /// What a step leaves to be read, one row of the history.
 struct Summary {
     double mean_burn_rate = 0.0;     ///< over the true length of the surface [m/s]
+    double regression_rate = 0.0;    ///< drop of the mean height in the last step, per time [m/s]
     double largest_temperature = 0;  ///< [K]
+    double least_temperature = 0;    ///< [K]
     double largest_strain = 0;       ///< in the scene's strain norm
     double residual = 0;             ///< of div sigma = 0, relative to the load of the stress
     int solver_iterations = 0;       ///< of the projection's linear solver; 0 for a direct one
