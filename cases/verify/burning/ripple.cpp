@@ -124,7 +124,7 @@ const Registered here{{.name = "ripple",
                        .figure = "-",
                        .shows = "ripple of a burning front against its exact decay",
                        .physics = {physics::burning},
-                       .cost = {.verify = 5.0},
+                       .cost = {.verify = 3.0},
                        .studies = studies}};
 
 }  // namespace
