@@ -128,7 +128,7 @@ const Registered here{{.name = "onset",
                        .figure = "-",
                        .shows = "front that swings by its own heat, at the onset",
                        .physics = {physics::burning},
-                       .cost = {.verify = 1.0},
+                       .cost = {.verify = 0.3},
                        .studies = studies}};
 
 }  // namespace

@@ -232,7 +232,7 @@ const Registered here{{.name = "response",
                        .figure = "-",
                        .shows = "burn rate of a slab under a flame that swings",
                        .physics = {physics::slab},
-                       .cost = {.verify = 20.0},
+                       .cost = {.verify = 15.0},
                        .studies = studies}};
 
 }  // namespace
