@@ -77,14 +77,14 @@ void CondensedFactor::factor_edges() {
 Eigen::MatrixXd CondensedFactor::solve_edges(const Eigen::MatrixXd& forces) const {
     Eigen::MatrixXd right = forces;
     for (const Part& part : parts_) {
-        right(part.edge, Eigen::placeholders::all) -=
-            part.pull * part.core.solve(forces(part.inside, Eigen::placeholders::all));
+        right(part.edge, Eigen::all) -=
+            part.pull * part.core.solve(forces(part.inside, Eigen::all));
     }
-    const Eigen::MatrixXd on_edges = right(nodes_, Eigen::placeholders::all);
+    const Eigen::MatrixXd on_edges = right(nodes_, Eigen::all);
     const Eigen::MatrixXd solved = factor_.solve(on_edges);
-    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
-    all(nodes_, Eigen::placeholders::all) = solved;
-    return all;
+    Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
+    solution(nodes_, Eigen::all) = solved;
+    return solution;
 }
 
 Eigen::MatrixXd CondensedFactor::surface(const Eigen::MatrixXd& forces) const {
