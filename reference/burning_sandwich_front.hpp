@@ -9,7 +9,7 @@ namespace crawford::reference {
 SandwichFlame paper_flame();
 
 /// Resolution with which V of the paper's sandwich stands to 3e-6 of itself.
-inline constexpr SandwichElements front_elements{.degree = 6, .layers = 9, .ratio = 0.3};
+inline constexpr SandwichElements front_elements{.degree = 6, .layers = 8, .ratio = 0.3};
 
 /// The steadily burning rigid sandwich as a free-boundary problem: surface y = phi(x) and speed V
 /// are found together with the temperature below (\see SlopedHeat) from

@@ -42,11 +42,11 @@ std::vector<double> layered(double end, double size, double longest,
 TensorSpace front_space(const SandwichGeometry& geometry, const SandwichElements& elements) {
     require_valid(geometry, elements);
     const auto [inner, outer, strip, half_width, depth] = geometry;
-    const double size = std::min(strip, half_width - strip);
+    const double size = std::min(strip, half_width - strip) / 3.0;
     std::vector<double> x;
     for (const double step : layered(strip, size, size, elements))
         x.insert(x.begin(), strip - step);
-    const auto right = layered(half_width - strip, size, size, elements);
+    const auto right = layered(half_width - strip, size, 2.0 * size, elements);
     for (std::size_t k = 1; k < right.size(); ++k) x.push_back(strip + right[k]);
     x.front() = 0.0;
     x.back() = half_width;

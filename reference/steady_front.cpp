@@ -53,12 +53,25 @@ private:
         Eigen::VectorXd misfit;  // T_s less what keeps pace [K]
     };
 
+    /// Slope of the strip at the interface, where it is as hot as the outer material has to be.
+    struct Steepest {
+        double slope;
+        double by_log_rate;  // its derivative by log V
+    };
+
+    /// Temperature that keeps pace, with derivatives by slope and log V.
+    struct Pace {
+        double temperature, by_slope, by_log_rate;
+    };
+
     const Material& material(Eigen::Index place) const {
         return place < level_ ? geometry_.inner : geometry_.outer;
     }
     Eigen::Index column(Eigen::Index place) const { return place < level_ ? place : place - 1; }
 
-    Trial trial(const Eigen::VectorXd& slope, double rate) const;
+    Steepest steepest(double rate) const;
+    Pace pace(Eigen::Index place, double slope, double rate) const;
+    Trial trial(Eigen::VectorXd slope, double rate) const;
     Trial start() const;
     Eigen::MatrixXd jacobian(const Trial& at) const;
     Trial improved(const Trial& from) const;
@@ -70,11 +83,38 @@ private:
     Eigen::Index level_;  // place of the outer material at the interface
 };
 
-Newton::Trial Newton::trial(const Eigen::VectorXd& slope, double rate) const {
+Newton::Steepest Newton::steepest(double rate) const {
+    const double surface = pace_temperature(geometry_.outer, 0.0, rate);
+    const double ratio = rate / burn_rate(geometry_.inner, surface);
+    if (!(ratio > 1.0)) return {0.0, 0.0};
+    const double slope = -std::sqrt((ratio - 1.0) * (ratio + 1.0));
+    const double growth =  // of log(ratio) with log V
+        1.0 - geometry_.inner.activation_temperature / geometry_.outer.activation_temperature;
+    return {slope, ratio * ratio * growth / slope};
+}
+
+/// The steeper, the colder, where the surface rises from the interface; continued as an odd function
+/// to where it falls, so that Newton's method finds no front that does.
+Newton::Pace Newton::pace(Eigen::Index place, double slope, double rate) const {
+    const Material& here = material(place);
+    const auto by_log_rate = [&](double temperature) {
+        return temperature * temperature / here.activation_temperature;
+    };
+    const double level = pace_temperature(here, 0.0, rate);
+    const double sloped = pace_temperature(here, slope, rate);
+    const double away = place < level_ ? -1.0 : 1.0;  // from the interface
+    const double steepening = -away * by_log_rate(sloped) * std::abs(slope) / (1.0 + slope * slope);
+    if (away * slope >= 0.0) return {sloped, steepening, by_log_rate(sloped)};
+    return {2.0 * level - sloped, steepening, 2.0 * by_log_rate(level) - by_log_rate(sloped)};
+}
+
+Newton::Trial Newton::trial(Eigen::VectorXd slope, double rate) const {
+    slope[level_] = 0.0;
+    slope[level_ - 1] = steepest(rate).slope;
     Trial made{slope, rate, heat_.respond(slope, rate), Eigen::VectorXd(slope.size())};
     for (Eigen::Index j = 0; j < slope.size(); ++j)
-        made.misfit[j] =
-            made.response.surface[column(j)] - pace_temperature(material(j), slope[j], rate);
+        made.misfit[j] = made.response.surface[column(j)] - pace(j, slope[j], rate).temperature;
+    made.misfit[level_ - 1] = 0.0;  // that of the level place once more
     return made;
 }
 
@@ -84,48 +124,51 @@ Newton::Trial Newton::start() const {
     const Material& inner = geometry_.inner;
     const double rate = rate_alone(geometry_.outer, flame_.outer_flux, flame_.cold_temperature);
     const double surface = pace_temperature(geometry_.outer, 0.0, rate);
-    const double ratio = rate / burn_rate(inner, surface);
-    if (!(ratio >= 1.0)) {
+    const double strip_rate = burn_rate(inner, surface);
+    if (strip_rate > (1.0 + 1e-9) * rate) {
         throw std::invalid_argument(fmt::format(
             "the outer material must burn at least as fast as the strip: at {:.0f} K, its surface "
             "alone, they burn at {:.3g} and {:.3g} m/s",
-            surface, rate, rate / ratio));
+            surface, rate, strip_rate));
     }
-    const double steepest = std::sqrt(ratio * ratio - 1.0);
     const double gradient = (flame_.inner_flux + inner.heat_of_reaction * inner.density * rate) /
                             inner.thermal_conductivity;
     const double decay = inner.activation_temperature / (surface * surface) * gradient;
     const Eigen::VectorXd x = heat_.surface_places();
     Eigen::VectorXd slope(heat_.slopes());
-    for (Eigen::Index j = 0; j < slope.size(); ++j)
-        slope[j] = j < level_ ? -steepest * std::exp(decay * (x[column(j)] - geometry_.strip))
-                              : 0.04 * steepest;
-    slope[level_] = 0.0;
+    const double steep = steepest(rate).slope;
+    for (Eigen::Index j = 0; j < slope.size(); ++j) {
+        const double away = x[column(j)] - geometry_.strip;
+        slope[j] = j < level_ ? steep * std::exp(decay * away) : -0.04 * steep;
+    }
     return trial(slope, rate);
 }
 
-/// d(misfit)/d(slope), and d(misfit)/d(log V) in the column of the level place.
+/// d(misfit)/d(slope), and d(misfit)/d(log V) in the column of the level place. The strip's slope
+/// at the interface follows V.
 Eigen::MatrixXd Newton::jacobian(const Trial& at) const {
     Eigen::MatrixXd derivative(at.slope.size(), at.slope.size());
     for (Eigen::Index j = 0; j < at.slope.size(); ++j) {
-        const double p = at.slope[j];
-        const double pace = pace_temperature(material(j), p, at.rate);
-        const double by_log_rate = pace * pace / material(j).activation_temperature;
+        const Pace here = pace(j, at.slope[j], at.rate);
         derivative.row(j) = at.response.by_slope.row(column(j));
-        derivative(j, j) += by_log_rate * p / (1.0 + p * p);
-        derivative(j, level_) = at.rate * at.response.by_rate[column(j)] - by_log_rate;
+        derivative(j, j) -= here.by_slope;
+        derivative(j, level_) =
+            at.rate * at.response.by_rate[column(j)] - here.by_log_rate +
+            at.response.by_slope(column(j), level_ - 1) * steepest(at.rate).by_log_rate;
     }
+    derivative.row(level_ - 1).setZero();
+    derivative(level_ - 1, level_ - 1) = 1.0;
     return derivative;
 }
 
-/// One step, halved until it makes the misfit smaller.
+/// One step, each slope and log V moved no further than they keep their meaning, halved until it
+/// makes the misfit smaller.
 Newton::Trial Newton::improved(const Trial& from) const {
-    const Eigen::VectorXd step = jacobian(from).partialPivLu().solve(-from.misfit);
-    constexpr double shortest = 1.0 / 256.0;
+    constexpr double furthest = 0.5, shortest = 1.0 / 256.0;
+    const Eigen::VectorXd whole = jacobian(from).partialPivLu().solve(-from.misfit);
+    const Eigen::VectorXd step = whole.cwiseMax(-furthest).cwiseMin(furthest);
     for (double share = 1.0; share >= shortest; share /= 2.0) {
-        Eigen::VectorXd slope = from.slope + share * step;
-        slope[level_] = 0.0;
-        Trial made = trial(slope, from.rate * std::exp(share * step[level_]));
+        Trial made = trial(from.slope + share * step, from.rate * std::exp(share * step[level_]));
         if (made.misfit.norm() < from.misfit.norm()) return made;
     }
     throw failure(FailureFields::Kind::no_convergence, "largest misfit of surface temperature",
