@@ -84,7 +84,6 @@ double RefractedFront::unfaced(double x) const {
 
 RefractedFront::Point RefractedFront::in_slab(double x, double t) const {
     Point lowest{level_.height(x, t), level_.slope()};
-    if (x < 0.0) lowest.height = 0.0;  // no path comes straight down the slab
     for (const Plane* plane : {&refracted_, &head_})
         if (plane->height(x, t) < lowest.height) lowest = {plane->height(x, t), plane->slope()};
     return lowest;
