@@ -113,10 +113,14 @@ double RefractedFront::slope(double x, double t) const {
     return point(faced(x), t).slope * (slab_.lean < 0.0 ? -1.0 : 1.0);
 }
 
+/// Down the right face the arc runs at outer_rate, what came through at outer_rate/cosine.
+bool RefractedFront::overtaken(double t) const {
+    return t - delay_ > t * cosine_;
+}
+
 std::vector<double> RefractedFront::crossings(double t) const {
     require_alone(t);
-    // Down the right face the arc runs at outer_rate, what came through at outer_rate/cosine.
-    const double depth = slab_.outer_rate * std::max(t * cosine_, t - delay_);
+    const double depth = slab_.outer_rate * (overtaken(t) ? t - delay_ : t * cosine_);
     std::vector<double> at{unfaced(-lean_ * slab_.outer_rate * t),
                            unfaced(thickness() - lean_ * depth)};
     std::ranges::sort(at);
@@ -129,12 +133,11 @@ std::vector<double> RefractedFront::kinks(double t) const {
     if (first < last) {
         at.push_back(unfaced(first));
         at.push_back(unfaced(last));
-    } else {
+    } else if (!overtaken(t)) {
         at.push_back(unfaced(refracted_.meets(head_, t)));
     }
     const double radius = slab_.outer_rate * t, lag = slab_.outer_rate * delay_;
-    if (radius - lag > radius * cosine_)
-        at.push_back(unfaced(thickness() - std::sqrt(lag * (2.0 * radius - lag))));
+    if (overtaken(t)) at.push_back(unfaced(thickness() - std::sqrt(lag * (2.0 * radius - lag))));
     std::ranges::sort(at);
     return at;
 }

@@ -44,8 +44,8 @@ public:
     double slope(double x, double t) const;
     /// Where the front crosses the left and the right face of the slab [m]. \see height
     std::vector<double> crossings(double t) const;
-    /// Where the slope jumps [m], ascending: at the crossings, between them in the slab, and behind
-    /// it where what came through meets the arc. \see height
+    /// Where the slope jumps [m], ascending: at the crossings; between them until what came
+    /// through overtakes at the face; then, behind the slab, where that meets the arc. \see height
     std::vector<double> kinks(double t) const;
 
 private:
@@ -64,6 +64,7 @@ private:
     double faced(double x) const;  // mirrored to lean >= 0, left = 0
     double unfaced(double x) const;
     void require_alone(double t) const;
+    bool overtaken(double t) const;  // whether what came through leads at the right face
     Point point(double x, double t) const;
     Point in_slab(double x, double t) const;
     Point behind(double x, double t) const;

@@ -126,7 +126,7 @@ TEST(RefractedFront, KinksAreWhereTheSlopeJumps) {
         }
     EXPECT_EQ(front.kinks(0.1).size(), 4U);
     EXPECT_EQ(front.kinks(1.2).size(), 3U);
-    EXPECT_EQ(front.kinks(12.0).size(), 4U);
+    EXPECT_EQ(front.kinks(12.0).size(), 3U);
 }
 
 TEST(RefractedFront, CrossesTheFacesOfTheSlab) {
