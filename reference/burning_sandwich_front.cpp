@@ -119,7 +119,11 @@ double BurningSandwichFront::surface_temperature(double x) const {
 }
 
 double BurningSandwichFront::temperature(double x, double y) const {
-    const auto probe = space_.at(std::abs(x), y - height(x));
+    double eta = y - height(x);
+    const double rounding = 1e-12 * geometry_.depth;
+    if (eta > 0.0 && eta < rounding) eta = 0.0;
+    if (eta < -geometry_.depth && eta > -geometry_.depth - rounding) eta = -geometry_.depth;
+    const auto probe = space_.at(std::abs(x), eta);
     return probe.value.dot(front_.temperature(probe.nodes));
 }
 
