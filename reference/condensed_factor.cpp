@@ -82,9 +82,9 @@ Eigen::MatrixXd CondensedFactor::solve_edges(const Eigen::MatrixXd& forces) cons
     }
     const Eigen::MatrixXd on_edges = right(nodes_, Eigen::all);
     const Eigen::MatrixXd solved = factor_.solve(on_edges);
-    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
-    all(nodes_, Eigen::all) = solved;
-    return all;
+    Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
+    solution(nodes_, Eigen::all) = solved;
+    return solution;
 }
 
 Eigen::MatrixXd CondensedFactor::surface(const Eigen::MatrixXd& forces) const {

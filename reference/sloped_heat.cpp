@@ -33,6 +33,17 @@ SlopedHeat::SlopedHeat(const SandwichGeometry& geometry, const SandwichFlame& fl
     }
 }
 
+Eigen::VectorXd SlopedHeat::surface_places() const {
+    const LobattoBasis& basis = space_.basis();
+    Eigen::VectorXd x(space_.columns());
+    for (int c = 0; c < space_.elements_x(); ++c) {
+        const auto element = space_.element(c);
+        x.segment(c * basis.degree(), basis.degree() + 1) =
+            element.left + element.width * (basis.points().array() + 1.0) / 2.0;
+    }
+    return x;
+}
+
 SlopedHeat::Column SlopedHeat::column(int index, const Eigen::VectorXd& slope) const {
     const int degree = space_.basis().degree();
     const auto element = space_.element(index);
@@ -77,8 +88,7 @@ Eigen::VectorXd SlopedHeat::entering(const Column& column, double rate) const {
     const Eigen::ArrayXd density =
         column.flux * (1.0 + column.slope.square()).sqrt() +
         column.material.heat_of_reaction * column.material.density * rate;
-    return value_.transpose() *
-           (density * rule_.weights.array() * column.width / 2.0).matrix();
+    return value_.transpose() * (density * rule_.weights.array() * column.width / 2.0).matrix();
 }
 
 Eigen::MatrixXd SlopedHeat::entering_of_slope(const Column& column) const {
@@ -104,8 +114,8 @@ Eigen::MatrixXd SlopedHeat::force_of_slope(const Column& column, double height,
         const Eigen::MatrixXd part =
             derivative_.transpose() * change.matrix().asDiagonal() * across +
             value_.transpose() * change.matrix().asDiagonal() * along -
-            value_.transpose() *
-                (change * column.slope * column.width).matrix().asDiagonal() * down;
+            value_.transpose() * (change * column.slope * column.width).matrix().asDiagonal() *
+                down;
         forces.col(k) = column.material.thermal_conductivity * part.reshaped();
     }
     return forces;

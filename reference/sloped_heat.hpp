@@ -34,6 +34,7 @@ public:
     const TensorSpace& space() const { return space_; }
     int slopes() const { return space_.columns() + 1; }
     int interface_column() const { return interface_column_; }  ///< of the surface nodes
+    Eigen::VectorXd surface_places() const;                     ///< x [m] of the surface nodes
 
     struct Response {
         Eigen::VectorXd temperature;  ///< T [K] of each node

@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "reference/adiabatic_column.hpp"
+#include "reference/burning_sandwich_front.hpp"
 #include "reference/carried_profile.hpp"
 #include "reference/conducting_inclusion.hpp"
 #include "reference/elastic_sandwich.hpp"
 #include "reference/exact_motions.hpp"
 #include "reference/faded_inclusion.hpp"
+#include "reference/jumping_front.hpp"
 #include "reference/manufactured_elastic_body.hpp"
 #include "reference/manufactured_elastic_strip.hpp"
 #include "reference/manufactured_heat.hpp"
+#include "reference/refracted_front.hpp"
 #include "reference/regressing_front.hpp"
 #include "reference/slab_shooting.hpp"
 #include "reference/slab_small_strain.hpp"
@@ -276,6 +279,41 @@ TEST(TruthFaces, Fronts) {
               wave.envelope(x, t));
     EXPECT_EQ(At("regressing-zigzag", {{"right", 0.8}})("surface"),
               RegressingZigzag(0.8, 0.5, 240e-6, 0.0045).height(x, t));
+}
+
+TEST(TruthFaces, FrontsOfTwoRates) {
+    const JumpingFront jumping({.width = 240e-6,
+                                .left = -10e-6,
+                                .right = 35e-6,
+                                .strip_rate = 0.002,
+                                .outer_rate = 0.005});
+    const At strip("jumping-front", {{"left", -10e-6}, {"right", 35e-6}});
+    EXPECT_EQ(strip("surface"), jumping.height(x, t));
+    EXPECT_EQ(strip("surface_slope"), jumping.slope(x, t));
+
+    const RefractedFront refracted({.left = 0.0,
+                                    .right = 35e-6,
+                                    .lean = 0.3,
+                                    .slab_rate = 0.002,
+                                    .outer_rate = 0.005,
+                                    .width = 240e-6});
+    const At slab("refracted-front", {{"left", 0.0}, {"right", 35e-6}, {"lean", 0.3}});
+    EXPECT_EQ(slab("surface"), refracted.height(x, t));
+    EXPECT_EQ(slab("surface_slope"), refracted.slope(x, t));
+}
+
+TEST(TruthFaces, BurningSandwichFront) {
+    const BurningSandwichFront front(paper_sandwich(), paper_flame(), {.degree = 3, .layers = 3});
+    const At at("burning-sandwich-front", {{"degree", 3.0}, {"layers", 3.0}});
+    EXPECT_EQ(at("temperature"), front.temperature(x, y));
+    EXPECT_EQ(at("surface"), front.height(x));
+    EXPECT_EQ(at("surface_slope"), front.slope(x));
+    EXPECT_EQ(at("surface_temperature"), front.surface_temperature(x));
+    EXPECT_EQ(at("regression_rate"), front.regression_rate());
+    EXPECT_EQ(at("regression_rate_uncertainty"), front.regression_rate_uncertainty());
+    EXPECT_EQ(at("mean_burn_rate"), front.mean_burn_rate());
+    EXPECT_EQ(at("interface_temperature"), front.interface_temperature());
+    EXPECT_EQ(at("notch_depth"), front.notch_depth());
 }
 
 TEST(TruthFaces, ManufacturedHeat) {
