@@ -66,7 +66,7 @@ double mean_burn_rate(const Grid& grid, const SurfaceField& surface,
     double burnt = 0.0;
     double length = 0.0;
     for (int i = 0; i < grid.cell_columns(); ++i) {
-        const double segment = grid.dx() * std::hypot(1.0, grid.slope(surface, i));
+        const double segment = grid.dx(i) * std::hypot(1.0, grid.slope(surface, i));
         burnt += 0.5 * segment * (burn_rate[size_t(i)] + burn_rate[size_t(grid.right_node(i))]);
         length += segment;
     }

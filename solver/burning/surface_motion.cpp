@@ -17,6 +17,7 @@ constexpr double smooth_slope_squared = 1e-6;
 /// A segment as it is met from left to right.
 struct Stretch {
     double slope;
+    double width;        ///< [m]
     double left, right;  ///< fraction of the first material at its two ends
     bool whole() const { return left == right; }
 };
@@ -67,31 +68,35 @@ private:
         if (grid_.sides() == Sides::periodic) return inside((i + 2 * n) % n);
         if (i >= 0 && i < n) return inside(i);
         const Stretch mirrored = inside(std::clamp(i < 0 ? -1 - i : 2 * n - 1 - i, 0, n - 1));
-        return {-mirrored.slope, mirrored.right, mirrored.left};
+        return {-mirrored.slope, mirrored.width, mirrored.right, mirrored.left};
     }
 
     Stretch inside(int i) const {
         const SegmentPieces& pieces = pieces_[size_t(i)];
-        return {grid_.slope(surface_, i), pieces.front().fraction, pieces.back().fraction};
+        return {grid_.slope(surface_, i), grid_.dx(i), pieces.front().fraction,
+                pieces.back().fraction};
     }
 
-    /// WENO differences that end where the material does: beyond it a slope is repeated from
-    /// upwind, or goes on as a line downwind.
+    /// The WENO derivative at a node where columns are `metric` apart, by differences per column
+    /// that end where the material does: beyond it one is repeated from upwind, or goes on as a line
+    /// downwind.
     static std::optional<double> upwind_slope(const Stretch& far, const Stretch& near,
                                               const Stretch& ahead, bool far_joins,
-                                              bool ahead_joins) {
+                                              bool ahead_joins, double metric) {
         if (!near.whole()) return std::nullopt;
-        const double behind = far_joins && far.whole() ? far.slope : near.slope;
+        const auto rise = [&](const Stretch& s) { return s.slope * (s.width / metric); };
+        const double behind = far_joins && far.whole() ? rise(far) : rise(near);
         const double before =
-            ahead_joins && ahead.whole() ? ahead.slope : 2.0 * near.slope - behind;
-        return weno3({behind, near.slope, before}, smooth_slope_squared);
+            ahead_joins && ahead.whole() ? rise(ahead) : 2.0 * rise(near) - behind;
+        return weno3({behind, rise(near), before}, smooth_slope_squared);
     }
 
     OwnSlopes own_slopes(int i) const {
         const Stretch a = stretch(i - 2), b = stretch(i - 1), c = stretch(i), d = stretch(i + 1);
         const bool through = b.right == c.left;
-        return {upwind_slope(a, b, c, a.right == b.left, through),
-                upwind_slope(d, c, b, c.right == d.left, through)};
+        const double metric = grid_.metric_x(i);
+        return {upwind_slope(a, b, c, a.right == b.left, through, metric),
+                upwind_slope(d, c, b, c.right == d.left, through, metric)};
     }
 
     /// Godunov: sqrt(1 + p^2) grows with |p|, so a side takes its slope where it runs into the node.
@@ -134,7 +139,8 @@ private:
         int node;
         double fraction;  ///< of the first material
         double distance;  ///< of the crossing from the node [m]
-        double height;    ///< of the crossing, on the line of the side's own slope [m]
+        double slope;     ///< of its surface, from the node towards the crossing
+        double height;    ///< of the crossing, on the line of that slope [m]
         double fall;      ///< of the crossing, were it for this side alone [m/s]
     };
 
@@ -146,12 +152,16 @@ private:
         const auto side = [&](int node, double fraction, double distance, double slope,
                               double of_node) {
             const SurfacePlace place{i, right, 0.5 * (of_right + of_node)};
-            return Side{node, fraction, distance, surface_[size_t(node)] + distance * slope,
+            return Side{node,
+                        fraction,
+                        distance,
+                        slope,
+                        surface_[size_t(node)] + distance * slope,
                         rate_(fraction, place) * std::hypot(1.0, std::max(slope, 0.0))};
         };
-        return {side(i, pieces.front().fraction, crossing * grid_.dx(),
+        return {side(i, pieces.front().fraction, crossing * grid_.dx(i),
                      own_slopes(i).left.value_or(0.0), 0.0),
-                side(right, pieces.back().fraction, (1.0 - crossing) * grid_.dx(),
+                side(right, pieces.back().fraction, (1.0 - crossing) * grid_.dx(i),
                      -own_slopes(right).right.value_or(0.0), 1.0)};
     }
 
@@ -159,16 +169,31 @@ private:
     void drag(int i, const SurfaceField& fall, const SurfaceField& carried, double dt,
               SurfaceField& rate) const {
         const auto [left, right] = sides(i);
-        const Side& leader = left.fall > right.fall ? left : right;
-        const Side& other = left.fall > right.fall ? right : left;
+        const bool from_left = left.fall > right.fall;
+        const Side& leader = from_left ? left : right;
+        const Side& other = from_left ? right : left;
         const auto lead = size_t(leader.node), dragged = size_t(other.node);
         const double speed = std::max(fall[lead], leader.fall);
-        const double falls = carried[lead] - speed;
-        rate[lead] = std::min(rate[lead], falls);
-        const double ratio = speed / rate_at(other.fraction, other.node);
-        const double plane =
-            leader.height + other.distance * std::sqrt(std::max(ratio * ratio - 1.0, 0.0));
-        rate[dragged] = std::min(rate[dragged], falls + (plane - surface_[dragged]) / dt);
+        rate[lead] = std::min(rate[lead], carried[lead] - speed);
+
+        // The crossing goes down the interface: x_c' = lean y_c', y_c' = phi_t + phi_x x_c'.
+        const double lean = (from_left ? 1.0 : -1.0) * pieces_[size_t(i)].front().lean;
+        const double sinks = speed / (1.0 - lean * leader.slope);
+        const double comes = -lean * sinks;
+        const auto slope = dragged_slope(sinks, comes, rate_at(other.fraction, other.node));
+        if (!slope) return;
+        const double plane = leader.height + other.distance * *slope;
+        rate[dragged] = std::min(rate[dragged], carried[lead] - sinks - *slope * comes +
+                                                    (plane - surface_[dragged]) / dt);
+    }
+
+    /// Slope p of the plane that a crossing draws behind it through material that burns at r, up
+    /// from the crossing, while this sinks at V and comes at u:
+    ///     V + p u = r sqrt(1 + p^2);
+    /// none where the material burns as fast by itself, or the crossing comes too fast to draw one.
+    static std::optional<double> dragged_slope(double v, double u, double r) {
+        if (v <= r || u >= r) return std::nullopt;
+        return (v * v - r * r) / (r * std::sqrt(v * v + u * u - r * r) - v * u);
     }
 
     const Grid& grid_;
@@ -206,7 +231,7 @@ double mean_over_pieces(const Grid& grid, const SurfaceField& surface, const Sur
     double burnt = 0.0;
     double length = 0.0;
     for (int i = 0; i < grid.cell_columns(); ++i) {
-        const double segment = grid.dx() * std::hypot(1.0, grid.slope(surface, i));
+        const double segment = grid.dx(i) * std::hypot(1.0, grid.slope(surface, i));
         for (const PieceShare& piece : shares_of(pieces[size_t(i)]))
             burnt += segment * (piece.share[0] + piece.share[1]) *
                      rate(piece.fraction, {i, grid.right_node(i), piece.right});

@@ -46,13 +46,14 @@ void Checkerboard::remove_from(CellField& field) const {
     for (const Patch& patch : patches_) {
         if (!is_one_material(patch)) continue;
         double alternating = 0.0;
-        double height = 0.0;
+        double whole = 0.0;
         each_cell(patch, [&](int i, int j, double sign, int) {
-            alternating += sign * grid_.height(j) * field(i, j);
-            height += grid_.height(j);
+            const double area = grid_.height(j) * (grid_.dx(i) / grid_.dx());
+            alternating += sign * area * field(i, j);
+            whole += area;
         });
         each_cell(patch, [&](int i, int j, double sign, int) {
-            field(i, j) -= sign * alternating / height;
+            field(i, j) -= sign * alternating / whole;
         });
     }
 }
@@ -71,7 +72,8 @@ Eigen::Matrix<double, 18, 1> Checkerboard::unit_force(const Patch& patch,
 }
 
 double Checkerboard::area(const Patch& patch) const {
-    return 2.0 * grid_.dx() * (grid_.height(patch.j) + grid_.height(patch.j + 1));
+    return (grid_.dx(patch.i) + grid_.dx(patch.i + 1)) *
+           (grid_.height(patch.j) + grid_.height(patch.j + 1));
 }
 
 }  // namespace crawford

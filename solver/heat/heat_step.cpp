@@ -36,7 +36,10 @@ double stiffest_rate(const Grid& grid, const MaterialMap& materials) {
     double curvature = 0.0;
     for (int j = 0; j < grid.rows(); ++j)
         curvature = std::max(curvature, 1.0 / (grid.height(j) * grid.height(j)));
-    if (grid.node_columns() > 1) curvature += 1.0 / (grid.dx() * grid.dx());
+    double along_rows = 0.0;
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        along_rows = std::max(along_rows, 1.0 / (grid.dx(i) * grid.dx(i)));
+    if (grid.node_columns() > 1) curvature += along_rows;
     return 4.0 * curvature *
            std::max(diffusivity(materials.first()), diffusivity(materials.second()));
 }
@@ -186,7 +189,7 @@ void HeatStep::add_stress_work(int i, int j, const std::array<Node, 4>& nodes, d
 void HeatStep::add_surface_flux(const NodeField& temperature, const SurfaceField& surface) {
     const int top = grid_.rows();
     for (int i = 0; i < grid_.cell_columns(); ++i) {
-        const double length = grid_.dx() * std::hypot(1.0, grid_.slope(surface, i));
+        const double length = grid_.dx(i) * std::hypot(1.0, grid_.slope(surface, i));
         const auto nodes = corners(grid_, i, top - 1);
         for (const PieceShare& piece : shares_of(materials_.surface_pieces()[size_t(i)])) {
             const std::array<double, 2> of_node{1.0 - piece.right, piece.right};

@@ -44,8 +44,8 @@ std::array<Vector, 4> CarriedGrid::cell(int i, int j, const Vector& origin) cons
     const double low = grid_.eta(j);
     const double high = grid_.eta(j + 1);
     return {Vector(x, y_left + low) + shift(i, j),
-            Vector(x + grid_.dx(), y_right + low) + shift(right, j),
-            Vector(x + grid_.dx(), y_right + high) + shift(right, j + 1),
+            Vector(x + grid_.dx(i), y_right + low) + shift(right, j),
+            Vector(x + grid_.dx(i), y_right + high) + shift(right, j + 1),
             Vector(x, y_left + high) + shift(i, j + 1)};
 }
 
@@ -57,13 +57,13 @@ Segment CarriedGrid::top(int i, const Vector& origin) const {
 /// Half the cross product of the diagonals; what the shift adds to it comes apart, so that a grid
 /// at rest has the areas of its cells to the last bit.
 double CarriedGrid::area(int i, int j) const {
-    const double at_rest = grid_.dx() * (grid_.eta(j + 1) - grid_.eta(j));
+    const double at_rest = grid_.dx(i) * (grid_.eta(j + 1) - grid_.eta(j));
     if (!shift_) return at_rest;
     const int right = grid_.right_node(i);
     const double rise = surface_[size_t(right)] - surface_[size_t(i)];
     const double height = grid_.height(j);
-    const Vector up(grid_.dx(), height + rise);     // from corner 0 to corner 2
-    const Vector down(-grid_.dx(), height - rise);  // from corner 1 to corner 3
+    const Vector up(grid_.dx(i), height + rise);     // from corner 0 to corner 2
+    const Vector down(-grid_.dx(i), height - rise);  // from corner 1 to corner 3
     const Vector more_up = shift(right, j + 1) - shift(i, j);
     const Vector more_down = shift(i, j + 1) - shift(right, j);
     return at_rest +

@@ -34,7 +34,10 @@ Vector interface_normal(const Grid& grid, const SurfaceField& surface, const Cel
     }
     const Cell cell(grid, surface, i, j);
     const double height = centre(grid, above) - centre(grid, below);
-    const Vector gradient = cell.physical(0.5 * rise.x(), rise.y() / height * cell.height);
+    const double beside =
+        0.5 * (grid.dx(cell_column(grid, i - 1)) + grid.dx(cell_column(grid, i + 1)));
+    const Vector gradient =
+        cell.physical(rise.x() * cell.dx / (cell.dx + beside), rise.y() / height * cell.height);
     const double length = gradient.norm() * cell.dx;
     constexpr double round_off = 1e-9;
     return length > round_off ? Vector(gradient.normalized()) : Vector::Zero();

@@ -88,8 +88,8 @@ void MaterialMap::find_normals(const SurfaceField& surface) {
 void MaterialMap::fill_strip(double width) {
     for (int i = 0; i < grid_.cell_columns(); ++i) {
         const double left = std::max(grid_.x(i), -0.5 * width);
-        const double right = std::min(grid_.x(i) + grid_.dx(), 0.5 * width);
-        const double covered = std::max(right - left, 0.0) / grid_.dx();
+        const double right = std::min(grid_.x(i) + grid_.dx(i), 0.5 * width);
+        const double covered = std::max(right - left, 0.0) / grid_.dx(i);
         for (int j = 0; j < grid_.rows(); ++j) fraction_(i, j) = 1.0 - covered;
     }
 }

@@ -28,7 +28,7 @@ struct Cell {
     double dx, height, slope;
 
     Cell(const Grid& grid, const SurfaceField& surface, int i, int j)
-        : dx(grid.dx()), height(grid.height(j)), slope(grid.slope(surface, i)) {}
+        : dx(grid.dx(i)), height(grid.height(j)), slope(grid.slope(surface, i)) {}
 
     double area() const { return dx * height; }  ///< [m^2]
 
@@ -51,7 +51,7 @@ inline NodeField node_areas(const Grid& grid) {
     for (int i = 0; i < grid.cell_columns(); ++i)
         for (int j = 0; j < grid.rows(); ++j)
             for (const Node& node : corners(grid, i, j))
-                areas(node.i, node.j) += 0.25 * grid.dx() * grid.height(j);
+                areas(node.i, node.j) += 0.25 * grid.dx(i) * grid.height(j);
     return areas;
 }
 

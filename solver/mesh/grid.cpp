@@ -4,13 +4,18 @@
 
 namespace crawford {
 
-Grid::Grid(const Domain& domain)
+Grid::Grid(const Domain& domain, double interface)
     : sides_(domain.half ? Sides::mirror : Sides::periodic),
       cell_columns_(domain.half ? domain.nx / 2 : domain.nx),
       rows_(domain.ny),
-      dx_(domain.width / domain.nx),
-      left_(domain.half ? 0.0 : -0.5 * domain.width),
+      mean_dx_(domain.width / domain.nx),
+      width_(mean_dx_ * cell_columns_),
+      columns_(columns_of(domain, interface)),
       depth_(domain.depth) {
+    for (int i = 0; i < cell_columns_; ++i)
+        dx_.push_back(domain.clustering_x == 0.0
+                          ? mean_dx_
+                          : columns_.x[size_t(i) + 1] - columns_.x[size_t(i)]);
     for (int j = 0; j <= rows_; ++j) {
         // Paper eq. 32 with z = etahat/Ly: eta = Ly z (2 - z^2)^-c.
         const double z = double(j) / rows_ - 1.0;
@@ -31,7 +36,7 @@ NodeColumn Grid::node_column(int i) const {
 double mean_height(const Grid& grid, const SurfaceField& surface) {
     double area = 0.0;
     for (int i = 0; i < grid.cell_columns(); ++i)
-        area += 0.5 * grid.dx() * (surface[size_t(i)] + surface[size_t(grid.right_node(i))]);
+        area += 0.5 * grid.dx(i) * (surface[size_t(i)] + surface[size_t(grid.right_node(i))]);
     return area / grid.width();
 }
 

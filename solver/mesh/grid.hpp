@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "solver/mesh/columns.hpp"
 #include "solver/mesh/lattice.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -26,25 +27,35 @@ struct NodeColumn {
 
 class Grid {
 public:
-    explicit Grid(const Domain& domain);
+    /// \param interface half the width of the strip that columns cluster about [m]; \see columns_of
+    explicit Grid(const Domain& domain, double interface = 0.0);
 
     int cell_columns() const { return cell_columns_; }
     int node_columns() const { return sides_ == Sides::mirror ? cell_columns_ + 1 : cell_columns_; }
     /// Of cells; there is one row of nodes more, j = 0 at the bottom.
     int rows() const { return rows_; }
     Sides sides() const { return sides_; }
-    double width() const { return dx_ * cell_columns_; }  ///< of what is modelled [m]
-    double depth() const { return depth_; }               ///< [m]
-    double dx() const { return dx_; }                     ///< [m]
+    double width() const { return width_; }            ///< of what is modelled [m]
+    double depth() const { return depth_; }            ///< [m]
+    double dx(int i) const { return dx_[size_t(i)]; }  ///< of cell column i [m]
+    /// Mean width of a column [m]: that of all where they are even.
+    double dx() const { return mean_dx_; }
 
     /// Of node column i [m]; x = 0 is the axis of a sandwich.
-    double x(int i) const { return left_ + dx_ * i; }
+    double x(int i) const { return columns_.x[size_t(i)]; }
     double eta(int j) const { return eta_[size_t(j)]; }  ///< of node row j [m], 0 at the surface
     double height(int j) const { return eta(j + 1) - eta(j); }  ///< of cell row j [m]
 
     /// d(eta)/dj at node row j [m]: the exact metric of paper eq. 32, for differences along
     /// a column.
     double metric(int j) const { return metric_[size_t(j)]; }
+
+    /// dx/di at node column i [m], for differences along a row, and at a part `a` of the way from
+    /// there to the next.
+    double metric_x(int i) const { return columns_.metric[size_t(i)]; }
+    double metric_x(int i, double a) const {
+        return metric_x(i) + a * (columns_.metric[size_t(i) + 1] - metric_x(i));
+    }
 
     /// The node column on the right of cell column i; on its left is node column i.
     int right_node(int i) const {
@@ -56,15 +67,17 @@ public:
 
     /// Slope of the straight surface over cell column i, from the heights at the node columns.
     double slope(const SurfaceField& surface, int i) const {
-        return (surface[size_t(right_node(i))] - surface[size_t(i)]) / dx_;
+        return (surface[size_t(right_node(i))] - surface[size_t(i)]) / dx(i);
     }
 
 private:
     Sides sides_;
     int cell_columns_;
     int rows_;
-    double dx_;
-    double left_;
+    double mean_dx_;
+    double width_;
+    Columns columns_;
+    std::vector<double> dx_;
     double depth_;
     std::vector<double> eta_;
     std::vector<double> metric_;

@@ -12,7 +12,7 @@ namespace crawford {
 inline SurfaceField node_lengths(const Grid& grid, const SurfaceField& surface) {
     SurfaceField lengths(surface.size(), 0.0);
     for (int i = 0; i < grid.cell_columns(); ++i) {
-        const double half = 0.5 * grid.dx() * std::hypot(1.0, grid.slope(surface, i));
+        const double half = 0.5 * grid.dx(i) * std::hypot(1.0, grid.slope(surface, i));
         lengths[size_t(i)] += half;
         lengths[size_t(grid.right_node(i))] += half;
     }

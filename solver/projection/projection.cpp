@@ -145,7 +145,7 @@ void Projection::add_stress(Balance& forces, const StressField& stress, const No
 void Projection::add_traction(Balance& forces, const SurfaceField& surface) const {
     const int top = grid_.rows();
     for (int i = 0; i < grid_.cell_columns(); ++i) {
-        const double half = 0.5 * grid_.dx() * load_.pressure;
+        const double half = 0.5 * grid_.dx(i) * load_.pressure;
         const double tilt = load_.traction == Traction::normal ? grid_.slope(surface, i) : 0.0;
         for (const int node : {i, grid_.right_node(i)}) {
             forces.add(matrix_.unknown({node, top}, 0), half * tilt);

@@ -37,12 +37,15 @@ Vector in_column(const Grid& grid, const NodeVectors& values, int i, int j) {
     return values(i, j);
 }
 
-/// Slope of the surface at a node column: the mean of the cells beside it.
+/// Slope of the surface at a node column, from the heights beside it.
 double node_slope(const Grid& grid, const SurfaceField& surface, int i) {
     const int n = grid.cell_columns();
     if (grid.sides() == Sides::mirror && (i == 0 || i == n)) return 0.0;
     const int left = i > 0 ? i - 1 : n - 1;
-    return 0.5 * (grid.slope(surface, left) + grid.slope(surface, i));
+    const auto rise = [&](int cell) {  // per step of i
+        return grid.slope(surface, cell) * (grid.dx(cell) / grid.metric_x(i));
+    };
+    return 0.5 * (rise(left) + rise(i));
 }
 
 }  // namespace
@@ -54,7 +57,7 @@ void advance_reference_map(const Grid& grid, const SolidMotion& motion, double d
         const double slope = node_slope(grid, motion.surface, i);
         for (int j = 1; j <= grid.rows(); ++j) {
             const Vector relative = relative_velocity(motion, {i, j});
-            const double across = relative.x() / grid.dx();
+            const double across = relative.x() / grid.metric_x(i);
             const double upward = (relative.y() - slope * relative.x()) / grid.metric(j);
             Vector rate = -motion.velocity(i, j);
             rate -=

@@ -32,9 +32,21 @@ void check(const Domain& d) {
             most_cells);
 }
 
-void check(const Uniform&, const Domain&) {}
+void require_even_columns(const Domain& d) {
+    require(d.clustering_x == 0.0,
+            "domain.clustering_x = {:g} needs a strip for the columns to cluster about, "
+            "morphology.kind = \"sandwich\"; remove it",
+            d.clustering_x);
+}
+
+void check(const Uniform&, const Domain& d) {
+    require_even_columns(d);
+}
 
 void check(const Sandwich& shape, const Domain& d) {
+    require(d.clustering_x == 0.0 || d.nx % 2 == 0,
+            "domain.clustering_x = {:g} needs an even number of columns; domain.nx = {}",
+            d.clustering_x, d.nx);
     const double cell = d.width / d.nx;
     require(shape.strip < d.width,
             "morphology.strip = {:.6g} um is not less than domain.width = {:.6g} um; make the "
@@ -73,6 +85,7 @@ void check_overlaps(const Discs& shape, double width) {
 
 void check(const Discs& shape, const Domain& d) {
     constexpr std::size_t most_discs = 20000;
+    require_even_columns(d);
     require(!d.half, "domain.half = true needs a symmetric scene; discs are not, remove half");
     require(d.nx > 1, "domain.nx = 1 is a slab; discs need at least 4 cells across");
     require(!shape.discs.empty() && shape.discs.size() <= most_discs,

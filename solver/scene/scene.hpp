@@ -14,12 +14,13 @@
 namespace crawford {
 
 struct Domain {
-    double width = 240e-6;    ///< period in x [m]
-    double depth = 480e-6;    ///< height of the window below the surface, Ly [m]
-    int nx = 64;              ///< cells across the whole width; 1 for a slab
-    int ny = 96;              ///< cells over the depth
-    double clustering = 2.0;  ///< c of paper eq. 32; 0 is uniform
-    bool half = false;        ///< model 0 <= x <= width/2 of a symmetric scene, with nx/2 columns
+    double width = 240e-6;      ///< period in x [m]
+    double depth = 480e-6;      ///< height of the window below the surface, Ly [m]
+    int nx = 64;                ///< cells across the whole width; 1 for a slab
+    int ny = 96;                ///< cells over the depth
+    double clustering = 2.0;    ///< c of paper eq. 32; 0 is uniform
+    double clustering_x = 0.0;  ///< columns at a strip's sides are 2^-c of the mean; 0 is even
+    bool half = false;          ///< model 0 <= x <= width/2 of a symmetric scene, with nx/2 columns
 };
 
 struct Uniform {};  ///< one material everywhere

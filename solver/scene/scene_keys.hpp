@@ -47,6 +47,7 @@ void visit(Table& table, Domain& d) {
     table.integer("nx", d.nx, {1, 16384}, Need::required);
     table.integer("ny", d.ny, {4, 16384}, Need::required);
     table.number("clustering", d.clustering, {"", 0.0, 8.0});
+    table.number("clustering_x", d.clustering_x, {"", 0.0, 8.0});
     table.flag("half", d.half);
 }
 

@@ -38,6 +38,13 @@ void check_finite(const StressField& stress) {
         }
 }
 
+/// What clustered columns are clustered about: the sides of the strip, or, in one material, those of
+/// a strip a quarter of the width wide.
+double interface_of(const Scene& scene) {
+    const auto* sandwich = std::get_if<Sandwich>(&scene.morphology.shape);
+    return 0.5 * (sandwich ? sandwich->strip : 0.25 * scene.domain.width);
+}
+
 }  // namespace
 
 struct Simulation::Modules {
@@ -60,7 +67,7 @@ struct Simulation::Modules {
     Modules(Scene s, Sources given)
         : scene(std::move(s)),
           sources(std::move(given)),
-          grid(scene.domain),
+          grid(scene.domain, interface_of(scene)),
           materials(scene.morphology, grid, scene.numerics),
           law(scene.physics.regression, scene.surface),
           front(front_motion(scene.numerics.front, grid, materials, law)),

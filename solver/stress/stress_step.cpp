@@ -36,14 +36,14 @@ void StressStep::predict(StressField& stress, const StressField& carried, const 
 }
 
 /// Velocity across the grid in cells per second:
-/// (u/dx, vbar/(d eta/dj)), vbar = v - phi_t - u phi_x.
+/// (u/(dx/di), vbar/(d eta/dj)), vbar = v - phi_t - u phi_x.
 Vector StressStep::grid_velocity(const Cell& cell, const std::array<Node, 4>& nodes, int j,
                                  Local at, const SolidMotion& motion) const {
     std::array<Vector, 4> relative;
     for (size_t k = 0; k < 4; ++k) relative[k] = relative_velocity(motion, nodes[k]);
     const Vector w = interpolate(relative, at);
     const double metric = (1.0 - at.b) * grid_.metric(j) + at.b * grid_.metric(j + 1);
-    return {w.x() / cell.dx, (w.y() - w.x() * cell.slope) / metric};
+    return {w.x() / grid_.metric_x(nodes[0].i, at.a), (w.y() - w.x() * cell.slope) / metric};
 }
 
 Deviator StressStep::deviator_rate(const StressField& stress, int point, int i, int j,
@@ -91,8 +91,9 @@ void StressStep::add_source(StressField& stress, const SurfaceField& surface, do
         for (int j = 0; j < grid_.rows(); ++j)
             for (size_t k = 0; k < points.size(); ++k) {
                 const Local at = points[k];
-                const double x = grid_.x(i) + at.a * grid_.dx();
-                const double phi = surface[size_t(i)] + at.a * grid_.dx() * grid_.slope(surface, i);
+                const double x = grid_.x(i) + at.a * grid_.dx(i);
+                const double phi =
+                    surface[size_t(i)] + at.a * grid_.dx(i) * grid_.slope(surface, i);
                 const double eta = grid_.eta(j) + at.b * grid_.height(j);
                 const PlaneStress s = source_(x, phi + eta, time);
                 const double mean = (s.s11 + s.s22 + s.s33) / 3.0;

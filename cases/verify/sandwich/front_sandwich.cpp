@@ -67,7 +67,8 @@ Measurement measure(const Setting& at, double strip, Front front,
     const Snapshot& last = burn->last;
     const int top = last.position.rows() - 1;
     const int sides = last.position.columns() - 1;
-    const int node = int(std::lround(0.5 * strip / last.position(sides, top).x() * sides));
+    int node = 0;  // on the interface, or the nearest
+    while (last.position(node + 1, top).x() <= 0.5 * strip * (1.0 + 1e-9)) ++node;
     const double notch = last.position(sides, top).y() - last.position(node, top).y();
     return Measurement(1.0 / at.count("columns"))
         .value(rate_error, regression_rate(*burn) / exact.regression_rate() - 1.0, 1.0)

@@ -1,0 +1,123 @@
+#include "solver/mesh/columns.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace crawford {
+
+namespace {
+
+/// A part between two interfaces, of length L in m cells, as wide at its ends as it is told.
+class Part {
+public:
+    Part(double length, int cells, double end_width)
+        : length_(length), cells_(cells), narrows_(end_width * cells <= length) {
+        // dx/ds at the ends over L: 2 b/sinh(2 b), or 2 b/sin(2 b)
+        const double wanted = end_width * cells / length;
+        const auto excess = [&](double b) {
+            return (narrows_ ? wanted - end(b) : end(b) - wanted);
+        };
+        if (std::abs(wanted - 1.0) < 1e-9) return;
+        const double most = narrows_ ? 350.0 : 0.5 * std::numbers::pi * (1.0 - 1e-12);
+        const auto [low, high] = boost::math::tools::bisect(
+            excess, 1e-9, most, boost::math::tools::eps_tolerance<double>());
+        b_ = 0.5 * (low + high);
+    }
+
+    double place(double s) const {  ///< from the left end [m]
+        const double z = 2.0 * s - 1.0;
+        if (b_ == 0.0) return length_ * s;
+        const double f =
+            narrows_ ? std::tanh(b_ * z) / std::tanh(b_) : std::tan(b_ * z) / std::tan(b_);
+        return 0.5 * length_ * (1.0 + f);
+    }
+
+    double metric(double s) const {  ///< dx/d(cells) [m]
+        const double z = 2.0 * s - 1.0;
+        if (b_ == 0.0) return length_ / cells_;
+        const double f = narrows_ ? b_ / (std::tanh(b_) * std::pow(std::cosh(b_ * z), 2))
+                                  : b_ / (std::tan(b_) * std::pow(std::cos(b_ * z), 2));
+        return length_ / cells_ * f;
+    }
+
+private:
+    double end(double b) const {
+        return 2.0 * b / (narrows_ ? std::sinh(2.0 * b) : std::sin(2.0 * b));
+    }
+
+    double length_;
+    int cells_;
+    bool narrows_;
+    double b_ = 0.0;
+};
+
+/// From the middle of the strip, x = 0, to the middle of what surrounds it.
+Columns clustered_half(const Domain& d, double interface) {
+    const int cells = d.nx / 2;
+    const double narrowest = d.width / d.nx * std::exp2(-d.clustering_x);
+    const auto strip = [&](int n) { return Part(2.0 * interface, 2 * n, narrowest); };
+    const auto outer = [&](int n) {
+        return Part(d.width - 2.0 * interface, 2 * (cells - n), narrowest);
+    };
+    int best = 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (int n = 1; n < cells; ++n) {
+        const double unlike = std::abs(std::log(strip(n).metric(0.5) / outer(n).metric(0.5)));
+        if (unlike < least) {
+            least = unlike;
+            best = n;
+        }
+    }
+    Columns half;
+    const auto add = [&](double x, double metric) {
+        half.x.push_back(x);
+        half.metric.push_back(metric);
+    };
+    for (int k = 0; k < best; ++k) {
+        const double s = 0.5 + 0.5 * k / best;
+        add(strip(best).place(s) - interface, strip(best).metric(s));
+    }
+    for (int k = 0; k <= cells - best; ++k) {
+        const double s = 0.5 * k / (cells - best);
+        add(interface + outer(best).place(s), outer(best).metric(s));
+    }
+    half.x.front() = 0.0;
+    half.x[size_t(best)] = interface;
+    return half;
+}
+
+Columns mirrored(const Columns& half) {
+    Columns whole;
+    for (size_t k = half.x.size() - 1; k > 0; --k) {
+        whole.x.push_back(-half.x[k]);
+        whole.metric.push_back(half.metric[k]);
+    }
+    whole.x.insert(whole.x.end(), half.x.begin(), half.x.end());
+    whole.metric.insert(whole.metric.end(), half.metric.begin(), half.metric.end());
+    return whole;
+}
+
+Columns even(const Domain& d) {
+    const double dx = d.width / d.nx;
+    const double left = d.half ? 0.0 : -0.5 * d.width;
+    const int cells = d.half ? d.nx / 2 : d.nx;
+    Columns columns;
+    for (int i = 0; i <= cells; ++i) {
+        columns.x.push_back(left + dx * i);
+        columns.metric.push_back(dx);
+    }
+    return columns;
+}
+
+}  // namespace
+
+Columns columns_of(const Domain& domain, double interface) {
+    if (domain.clustering_x == 0.0) return even(domain);
+    const Columns half = clustered_half(domain, interface);
+    return domain.half ? half : mirrored(half);
+}
+
+}  // namespace crawford
