@@ -82,6 +82,13 @@ double RefractedFront::unfaced(double x) const {
     return slab_.lean < 0.0 ? slab_.right - x : slab_.left + x;
 }
 
+double RefractedFront::rate(double x, double y) const {
+    // Measured at the height y, where the slab has moved by lean y.
+    const double place = faced(x - slab_.lean * y);
+    const bool inside = place > 0.0 && place < thickness();
+    return inside ? slab_.slab_rate : slab_.outer_rate;
+}
+
 RefractedFront::Point RefractedFront::in_slab(double x, double t) const {
     Point lowest{level_.height(x, t), level_.slope()};
     for (const Plane* plane : {&refracted_, &head_})

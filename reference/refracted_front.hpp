@@ -37,6 +37,8 @@ public:
     /// When the front in front of a slab comes under the next of its row [s].
     double alone_until() const;
 
+    double rate(double x, double y) const;  ///< r [m/s] at a place; on a face the larger
+
     /// phi(x, t) [m].
     /// \throws std::invalid_argument if t [s] is negative or not before alone_until().
     double height(double x, double t) const;

@@ -16,16 +16,21 @@ double burn_rate(const Material& material, double temperature) {
     return material.pyrolysis_prefactor * std::exp(-material.activation_temperature / temperature);
 }
 
-/// r_b [m/s] of a material alone: rho r_b (c_p (T_s - T0) - q_s) = Q.
-double rate_alone(const Material& material, double flux, double cold) {
-    const auto missing_heat = [&](double surface) {
+/// r_b [m/s] of the outer material alone: rho r_b (c_p (T_s - T0) - q_s) = Q.
+double outer_rate_alone(const Material& material, double flux, double cold) {
+    const auto excess_heat = [&](double surface) {
         return material.density * burn_rate(material, surface) *
                    (material.specific_heat * (surface - cold) - material.heat_of_reaction) -
                flux;
     };
+    if (excess_heat(cold) >= 0.0) {
+        throw std::invalid_argument(fmt::format(
+            "outer_flux = {:.3g} W/m^2 is too weak to burn the outer material from {} K", flux,
+            cold));
+    }
     double hot = 2.0 * cold;
-    while (missing_heat(hot) < 0.0) hot *= 2.0;
-    return burn_rate(material, bracketed_root(missing_heat, cold, hot));
+    while (excess_heat(hot) < 0.0) hot *= 2.0;
+    return burn_rate(material, bracketed_root(excess_heat, cold, hot));
 }
 
 NumericalFailure failure(FailureFields::Kind kind, const std::string& quantity, double value,
@@ -122,7 +127,8 @@ Newton::Trial Newton::trial(Eigen::VectorXd slope, double rate) const {
 /// surface warms away from it, at the gradient that the flux needs.
 Newton::Trial Newton::start() const {
     const Material& inner = geometry_.inner;
-    const double rate = rate_alone(geometry_.outer, flame_.outer_flux, flame_.cold_temperature);
+    const double rate =
+        outer_rate_alone(geometry_.outer, flame_.outer_flux, flame_.cold_temperature);
     const double surface = pace_temperature(geometry_.outer, 0.0, rate);
     const double strip_rate = burn_rate(inner, surface);
     if (strip_rate > (1.0 + 1e-9) * rate) {
@@ -133,7 +139,8 @@ Newton::Trial Newton::start() const {
     }
     const double gradient = (flame_.inner_flux + inner.heat_of_reaction * inner.density * rate) /
                             inner.thermal_conductivity;
-    const double decay = inner.activation_temperature / (surface * surface) * gradient;
+    const double decay =
+        inner.activation_temperature / (surface * surface) * std::max(gradient, 0.0);
     const Eigen::VectorXd x = heat_.surface_places();
     Eigen::VectorXd slope(heat_.slopes());
     const double steep = steepest(rate).slope;

@@ -107,13 +107,28 @@ TEST(RefractedFront, ObeysItsEquationBetweenKinks) {
         for (const double x : places()) {
             if (near(front.kinks(t), x)) continue;
             const double y = front.height(x, t);
-            const bool inside = x >= left + lean * y && x <= right + lean * y;
             const double slope = (front.height(x + h, t) - front.height(x - h, t)) / (2.0 * h);
             const double speed = (front.height(x, t + h) - front.height(x, t - h)) / (2.0 * h);
             EXPECT_NEAR(front.slope(x, t), slope, 1e-6) << x << " " << t;
-            EXPECT_NEAR(speed, -(inside ? slow : fast) * std::hypot(1.0, slope), 1e-6)
-                << x << " " << t;
+            EXPECT_NEAR(speed, -front.rate(x, y) * std::hypot(1.0, slope), 1e-6) << x << " " << t;
         }
+}
+
+TEST(RefractedFront, KnowsTheRateOfEachPlace) {
+    InclinedSlab mirrored = slab;
+    mirrored.lean = -lean;
+    mirrored.width = 2.0;
+    for (const double y : {0.0, -0.7, -3.0}) {
+        for (const InclinedSlab& one : {slab, mirrored}) {
+            const RefractedFront front(one);
+            const double face = left + one.lean * y, other = right + one.lean * y;
+            EXPECT_EQ(front.rate(face - 1e-9, y), fast);
+            EXPECT_EQ(front.rate(face + 1e-9, y), slow);
+            EXPECT_EQ(front.rate(other - 1e-9, y), slow);
+            EXPECT_EQ(front.rate(other + 1e-9, y), fast);
+        }
+        EXPECT_EQ(RefractedFront(mirrored).rate(left + 2.1 - lean * y, y), slow);
+    }
 }
 
 TEST(RefractedFront, KinksAreWhereTheSlopeJumps) {
