@@ -28,13 +28,13 @@ double burn_rate_sensitivity(const SlabConditions& conditions, double surface_te
 }
 
 FluxResponse::FluxResponse(const SlabConditions& conditions, double frequency)
-    : slab_(require_thermal(conditions)) {
+    : slab_(require_thermal(conditions)),
+      sensitivity_(burn_rate_sensitivity(conditions, slab_.surface_temperature())) {
     require_positive("frequency", frequency);
     const Material& m = conditions.material;
     const double rate = slab_.burn_rate();
     const double diffusivity = m.thermal_conductivity / (m.density * m.specific_heat);
     wave_number_ = rate / diffusivity;
-    sensitivity_ = burn_rate_sensitivity(conditions, slab_.surface_temperature());
     swing_ = slab_.state(0.0).temperature_gradient / wave_number_;
     angular_frequency_ = Complex(0.0, 2.0 * std::numbers::pi * frequency);
     root_ = std::sqrt(1.0 + 4.0 * angular_frequency_ * diffusivity / (rate * rate));

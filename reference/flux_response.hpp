@@ -39,8 +39,8 @@ private:
     std::complex<double> moved(double y) const;    // the profile moved, for T'(0) = 1 K
 
     Slab slab_;
-    double wave_number_;                      // r/alpha [1/m]
     double sensitivity_;                      // s [1/K]
+    double wave_number_;                      // r/alpha [1/m]
     double swing_;                            // A [K]
     std::complex<double> angular_frequency_;  // i w [1/s]
     std::complex<double> root_;               // sqrt(1 + 4 i w alpha/r^2)

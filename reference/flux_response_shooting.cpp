@@ -156,10 +156,11 @@ const SlabConditions& require_linearised(const SlabConditions& conditions) {
 }  // namespace
 
 FluxResponseShooting::FluxResponseShooting(const SlabConditions& conditions, double frequency)
-    : slab_(require_linearised(conditions)), frequency_(frequency) {
+    : slab_(require_linearised(conditions)),
+      frequency_(frequency),
+      sensitivity_(burn_rate_sensitivity(conditions, slab_.surface_temperature())) {
     require_positive("frequency", frequency);
     const Material& m = conditions.material;
-    sensitivity_ = burn_rate_sensitivity(conditions, slab_.surface_temperature());
     const double per_kelvin = slab_.burn_rate() * sensitivity_;  // r'/T'(0)
     const bool deep = std::isinf(conditions.depth);
     const Column column(slab_, frequency_);

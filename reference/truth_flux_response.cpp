@@ -68,7 +68,7 @@ Fields expanding_fields() {
 
 /// The swing at a time.
 struct Moment {
-    Moment(const Given& given)
+    explicit Moment(const Given& given)
         : amplitude(given.number("amplitude")),
           angular_frequency(2.0 * std::numbers::pi * given.number("frequency")) {}
     double of(Complex swing, double t) const {

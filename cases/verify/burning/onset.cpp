@@ -34,7 +34,6 @@ using namespace units;
 using Complex = std::complex<double>;
 using reports::at_least;
 using reports::at_most;
-using reports::between;
 using reports::expect;
 using reports::Norm;
 

@@ -34,14 +34,15 @@ std::complex<double> swinging_growth(std::span<const double> series, double step
 }
 
 double plain_growth(std::span<const double> series, double step) {
-    const auto count = Eigen::Index(series.size());
-    Eigen::MatrixXd model(count, 2);
-    Eigen::VectorXd logarithm(count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-        model.row(k) << 1.0, double(k) * step;
-        logarithm[k] = std::log(series[size_t(k)]);
+    const double middle = 0.5 * double(series.size() - 1);
+    double moment = 0.0;
+    double spread = 0.0;
+    for (size_t k = 0; k < series.size(); ++k) {
+        const double from_middle = double(k) - middle;
+        moment += from_middle * std::log(series[k]);
+        spread += from_middle * from_middle;
     }
-    return model.colPivHouseholderQr().solve(logarithm)[1];
+    return moment / (spread * step);
 }
 
 }  // namespace crawford
