@@ -18,12 +18,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "cases/registry.hpp"
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
 #include "cases/verify/ssp_step.hpp"
 #include "reference/jumping_front.hpp"
+#include "reference/refracted_front.hpp"
 #include "solver/burning/surface_motion.hpp"
 #include "solver/materials/material_map.hpp"
 
@@ -51,11 +53,14 @@ reference::JumpingRate strip_of(double strip, double strip_rate, double outer_ra
             .outer_rate = outer_rate};
 }
 
-/// Burns a level surface over a sandwich for `duration`.
-SurfaceField burn(const Grid& grid, const SurfacePieces& pieces,
-                  const reference::JumpingRate& given, double duration) {
+/// What the surface is made of where it now stands.
+using PiecesOf = std::function<SurfacePieces(const SurfaceField&)>;
+
+/// Burns a level surface for `duration`; the first material is what surrounds a strip.
+SurfaceField burn(const Grid& grid, const PiecesOf& pieces, double outer_rate, double strip_rate,
+                  double duration) {
     const RateOfMaterial rate = [&](double fraction, const SurfacePlace&) {
-        return fraction == 1.0 ? given.outer_rate : given.strip_rate;
+        return fraction == 1.0 ? outer_rate : strip_rate;
     };
     const int steps = int(std::ceil(2.5 * duration * fast / grid.dx()));
     const double dt = duration / steps;
@@ -66,7 +71,7 @@ SurfaceField burn(const Grid& grid, const SurfacePieces& pieces,
         return sum;
     };
     const auto euler = [&](const SurfaceField& phi) {
-        return blend(1.0, phi, dt, surface_rate(grid, phi, pieces, rate, {}, dt));
+        return blend(1.0, phi, dt, surface_rate(grid, phi, pieces(phi), rate, {}, dt));
     };
     SurfaceField surface(size_t(grid.node_columns()), 0.0);
     for (int n = 0; n < steps; ++n) surface = ssp_step(surface, euler, blend);
@@ -80,14 +85,9 @@ double distance_to(const std::vector<double>& kinks, double x) {
     return nearest;
 }
 
-reports::Measurement front(const reference::JumpingRate& given, int cells) {
-    const reference::JumpingFront exact(given);
-    const double duration = 20.0 * um / slow;
-    const Grid grid({.width = width, .depth = width, .nx = cells, .ny = 2});
-    const Morphology sandwich{.shape = Sandwich{given.right - given.left},
-                              .materials = {ammonium_perchlorate(), htpb_binder()}};
-    const SurfaceField found =
-        burn(grid, MaterialMap(sandwich, grid).surface_pieces(), given, duration);
+template <class Exact>
+reports::Measurement compare(const Grid& grid, const SurfaceField& found, const Exact& exact,
+                             double duration) {
     const std::vector<double> kinks = exact.kinks(duration);
     SurfaceField truth;
     double worst = 0.0;
@@ -96,9 +96,61 @@ reports::Measurement front(const reference::JumpingRate& given, int cells) {
         const double error = std::abs(found[size_t(i)] - truth.back());
         if (distance_to(kinks, grid.x(i)) > width / 16.0) worst = std::max(worst, error);
     }
-    return reports::Measurement(1.0 / cells)
+    return reports::Measurement(1.0 / grid.cell_columns())
         .field(height, found, truth)
         .value(away, worst / grid.dx());
+}
+
+reports::Measurement front(const reference::JumpingRate& given, int cells) {
+    const reference::JumpingFront exact(given);
+    const double duration = 20.0 * um / slow;
+    const Grid grid({.width = width, .depth = width, .nx = cells, .ny = 2});
+    const Morphology sandwich{.shape = Sandwich{given.right - given.left},
+                              .materials = {ammonium_perchlorate(), htpb_binder()}};
+    const SurfacePieces pieces = MaterialMap(sandwich, grid).surface_pieces();
+    return compare(grid,
+                   burn(
+                       grid, [&](const SurfaceField&) { return pieces; }, given.outer_rate,
+                       given.strip_rate, duration),
+                   exact, duration);
+}
+/// What a slab between leaning faces covers of the surface, by its images a period apart.
+SurfacePieces leaning_pieces(const Grid& grid, const SurfaceField& surface,
+                             const reference::InclinedSlab& slab) {
+    SurfacePieces pieces;
+    const double half = 0.5 * (slab.right - slab.left);
+    for (int i = 0; i < grid.cell_columns(); ++i) {
+        std::vector<Covered> covered;
+        for (int image = -2; image <= 2; ++image) {
+            const double middle = 0.5 * (slab.left + slab.right) + image * width;
+            const auto upright = [&](double x, int node) -> Vector {
+                const double y = surface[size_t(node)];
+                return {x - slab.lean * y - middle, y};
+            };
+            auto part = covered_by_strip(
+                {upright(grid.x(i), i), upright(grid.x(i) + grid.dx(i), grid.right_node(i))}, half);
+            if (!part) continue;
+            part->lean_from = part->lean_to = slab.lean;
+            covered.push_back(*part);
+        }
+        pieces.push_back(pieces_of(std::move(covered), 0.0, {1.0, 1.0}));
+    }
+    return pieces;
+}
+
+/// Crosses a slower slab from above and leaves it below.
+reports::Measurement refraction(double lean, int cells) {
+    const reference::InclinedSlab slab{.left = -30.0 * um,
+                                       .right = 34.1 * um,
+                                       .lean = lean,
+                                       .slab_rate = slow,
+                                       .outer_rate = fast,
+                                       .width = width};
+    const reference::RefractedFront exact(slab);
+    const double duration = 40.0 * um / fast;
+    const Grid grid({.width = width, .depth = width, .nx = cells, .ny = 2});
+    const auto pieces = [&](const SurfaceField& phi) { return leaning_pieces(grid, phi, slab); };
+    return compare(grid, burn(grid, pieces, fast, slow, duration), exact, duration);
 }
 
 reports::Study jump(const std::string& name, const reference::JumpingRate& given) {
@@ -114,12 +166,24 @@ reports::Study jump(const std::string& name, const reference::JumpingRate& given
     return study;
 }
 
+reports::Study leaning(const std::string& name, double lean) {
+    reports::Study study("front-jump, " + name);
+    study.refines("columns", {32, 64, 128, 256})
+        .measure([=](int cells) { return refraction(lean, cells); })
+        .covers({term::surface_motion, term::surface_jump})
+        .gate(height, Norm::L1, expect(1.0).or_better(0.25).scattering(1.0),
+              "the interface wanders through the columns: order h where it crosses");
+    return study;
+}
+
 std::vector<reports::Study> studies() {
     return {jump("slow strip, interfaces on nodes", strip_of(60.0 * um, slow, fast)),
             jump("slow strip, interfaces between nodes", strip_of(64.1 * um, slow, fast)),
             jump("slow strip, interfaces hard by nodes", strip_of(60.001 * um, slow, fast)),
             jump("fast strip, interfaces between nodes", strip_of(64.1 * um, fast, slow)),
-            jump("fast strip of less than a cell", strip_of(0.7 * um, fast, slow))};
+            jump("fast strip of less than a cell", strip_of(0.7 * um, fast, slow)),
+            leaning("slow slab that leans to the right", 0.4),
+            leaning("slow slab that leans to the left", -0.4)};
 }
 
 const Registered here{{.name = "front-jump",
