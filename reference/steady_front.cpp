@@ -171,10 +171,12 @@ Eigen::MatrixXd Newton::jacobian(const Trial& at) const {
 /// One step, each slope and log V moved no further than they keep their meaning, halved until it
 /// makes the misfit smaller.
 Newton::Trial Newton::improved(const Trial& from) const {
-    constexpr double furthest = 0.5, shortest = 1.0 / 256.0;
+    constexpr double furthest = 0.5;
+    constexpr int halvings = 8;
     const Eigen::VectorXd whole = jacobian(from).partialPivLu().solve(-from.misfit);
     const Eigen::VectorXd step = whole.cwiseMax(-furthest).cwiseMin(furthest);
-    for (double share = 1.0; share >= shortest; share /= 2.0) {
+    for (int k = 0; k <= halvings; ++k) {
+        const double share = std::ldexp(1.0, -k);
         Trial made = trial(from.slope + share * step, from.rate * std::exp(share * step[level_]));
         if (made.misfit.norm() < from.misfit.norm()) return made;
     }
