@@ -182,9 +182,10 @@ private:
         const double comes = -lean * sinks;
         const auto slope = dragged_slope(sinks, comes, rate_at(other.fraction, other.node));
         if (!slope) return;
-        const double plane = leader.height + other.distance * *slope;
-        rate[dragged] = std::min(rate[dragged], carried[lead] - sinks - *slope * comes +
-                                                    (plane - surface_[dragged]) / dt);
+        // Where the plane then is; a crossing that passes the node meanwhile takes it along.
+        const double distance = std::max(other.distance - comes * dt, 0.0);
+        const double plane = leader.height - sinks * dt + distance * *slope;
+        rate[dragged] = std::min(rate[dragged], carried[lead] + (plane - surface_[dragged]) / dt);
     }
 
     /// Slope p of the plane that a crossing draws behind it through material that burns at r, up
@@ -233,7 +234,7 @@ double mean_over_pieces(const Grid& grid, const SurfaceField& surface, const Sur
     for (int i = 0; i < grid.cell_columns(); ++i) {
         const double segment = grid.dx(i) * std::hypot(1.0, grid.slope(surface, i));
         for (const PieceShare& piece : shares_of(pieces[size_t(i)]))
-            burnt += segment * (piece.share[0] + piece.share[1]) *
+            burnt += segment * (piece.of_node[0] + piece.of_node[1]) *
                      rate(piece.fraction, {i, grid.right_node(i), piece.right});
         length += segment;
     }

@@ -87,9 +87,9 @@ int HeatStep::advance(NodeField& temperature, const NodeField& lagged, const Hea
     return sweeps;
 }
 
-/// (1 - (1 - theta) z)/(1 + theta z) >= -0.8, z = dt times the stiffest rate.
+/// (1 - (1 - theta) z)/(1 + theta z) >= -0.9, z = dt times the stiffest rate.
 double HeatStep::least_implicit(double dt) const {
-    constexpr double left = 0.8;
+    constexpr double left = 0.9;
     return 1.0 / (1.0 + left) - 1.0 / (dt * stiffest_rate_);
 }
 
@@ -192,16 +192,16 @@ void HeatStep::add_surface_flux(const NodeField& temperature, const SurfaceField
         const double length = grid_.dx(i) * std::hypot(1.0, grid_.slope(surface, i));
         const auto nodes = corners(grid_, i, top - 1);
         for (const PieceShare& piece : shares_of(materials_.surface_pieces()[size_t(i)])) {
-            const std::array<double, 2> of_node{1.0 - piece.right, piece.right};
-            const double now = of_node[0] * temperature(nodes[2].i, top) +
-                               of_node[1] * temperature(nodes[3].i, top);
+            const std::array<double, 2> at{1.0 - piece.right, piece.right};
+            const double now =
+                at[0] * temperature(nodes[2].i, top) + at[1] * temperature(nodes[3].i, top);
             const LinearFlux flux = law_.heat_flux(materials_, piece.fraction, now);
             for (const size_t node : {0, 1}) {
-                const double share = length * piece.share[node];
+                const double share = length * piece.of_node[node];
                 load_(nodes[2 + node].i, top) += share * (flux.value - flux.slope * now);
                 for (const size_t other : {0, 1})
                     transport_.add(nodes, int(2 + node), int(2 + other),
-                                   -share * flux.slope * of_node[other]);
+                                   -share * flux.slope * at[other]);
             }
         }
     }

@@ -42,8 +42,8 @@ public:
 
     /// Crank-Nicolson hardly damps a zigzag in a step that is long for it, and turns its sign at
     /// every step: on 512 columns of a sandwich that ends the burn. This is the least share of the
-    /// new temperature for which a step leaves no more than 0.8 of the stiffest zigzag; it is above
-    /// one half where the step is more than 18 of its times, and never above 5/9.
+    /// new temperature for which a step leaves no more than 0.9 of the stiffest zigzag; it is above
+    /// one half where the step is more than 38 of its times, and never above 10/19.
     double least_implicit(double dt) const;
 
 private:

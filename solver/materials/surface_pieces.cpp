@@ -95,10 +95,8 @@ std::vector<PieceShare> shares_of(const SegmentPieces& pieces) {
     if (pieces.size() == 1) return {{whole, 0.0, {0.5, 0.0}}, {whole, 1.0, {0.0, 0.5}}};
     std::vector<PieceShare> shares;
     for (const SurfacePiece& piece : pieces) {
-        const double middle = 0.5 * (piece.from + piece.to);
-        const double length = piece.to - piece.from;
-        shares.push_back(
-            {piece.fraction, piece.right_in_middle, {length * (1.0 - middle), length * middle}});
+        const double half = 0.5 * (piece.to - piece.from);
+        shares.push_back({piece.fraction, piece.right_in_middle, {half, half}});
     }
     return shares;
 }

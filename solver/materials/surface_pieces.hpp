@@ -53,13 +53,15 @@ SegmentPieces pieces_of(std::vector<Covered> covered, double fraction,
 
 /// What a piece, or half of a whole segment, gives to the integral of a flux over the segment.
 struct PieceShare {
-    double fraction;              ///< of the first material
-    double right;                 ///< of its temperature, how much is that of the right node
-    std::array<double, 2> share;  ///< integrals of the hats of the left and of the right node over
-                                  ///< it, in lengths of the segment
+    double fraction;                ///< of the first material
+    double right;                   ///< of its temperature, how much is that of the right node
+    std::array<double, 2> of_node;  ///< of the segment's length, what of it goes to the left and to
+                                    ///< the right node
 };
 
-/// The shares of a segment; a whole one is lumped at its two nodes.
+/// The shares of a segment; a whole one is lumped at its two nodes. The cell below a cut one is one
+/// mean of its materials from side to side, so the nodes share all of its pieces alike: else heat
+/// along an interface would not go straight.
 std::vector<PieceShare> shares_of(const SegmentPieces& pieces);
 
 }  // namespace crawford

@@ -12,6 +12,8 @@
 ///
 /// - At the interface, and where head waves meet, the front has kinks: order one in Linf, as far as
 ///   a kink reaches.
+/// - Where a slab leans, the front around its lower edge leads under it: a cliff of some 20 um along
+///   the slab's face, placed to one column. What is a column away from the cliff is gated.
 /// - Away from kinks every piece is a plane, which any scheme of second order has exactly: what is
 ///   left there is what the kinks sent out. The start sends it: over the slower material a plane
 ///   grows out of a point.
@@ -43,7 +45,7 @@ constexpr double fast = 5.0e-3 * m / s;
 constexpr double slow = 2.5e-3 * m / s;
 
 constexpr auto height = "phi";
-constexpr auto away = "phi away from kinks [cells]";
+constexpr auto away = "phi away from kinks [um]";
 
 reference::JumpingRate strip_of(double strip, double strip_rate, double outer_rate) {
     return {.width = width,
@@ -98,7 +100,7 @@ reports::Measurement compare(const Grid& grid, const SurfaceField& found, const 
     }
     return reports::Measurement(1.0 / grid.cell_columns())
         .field(height, found, truth)
-        .value(away, worst / grid.dx());
+        .value(away, worst / um, 0.0);
 }
 
 reports::Measurement front(const reference::JumpingRate& given, int cells) {
@@ -161,7 +163,7 @@ reports::Study jump(const std::string& name, const reference::JumpingRate& given
         .gate(
             height, Norm::L1, expect(2.0).or_better(0.4).scattering(1.3),
             "planes are exact: order h at the few nodes beside kinks alone, which wander in cells")
-        .bound(away, 256, at_most(1e-3),
+        .bound(away, 256, at_most(1e-6),
                "round-off; a plane of wrong slope, as a mean of the rates drags it, is cells off");
     return study;
 }
@@ -171,8 +173,8 @@ reports::Study leaning(const std::string& name, double lean) {
     study.refines("columns", {32, 64, 128, 256})
         .measure([=](int cells) { return refraction(lean, cells); })
         .covers({term::surface_motion, term::surface_jump})
-        .gate(height, Norm::L1, expect(1.0).or_better(0.25).scattering(1.0),
-              "the interface wanders through the columns: order h where it crosses");
+        .gate(away, Norm::magnitude, expect(1.0).or_better(0.25).scattering(1.0),
+              "the crossing wanders through the columns and is an order h off");
     return study;
 }
 

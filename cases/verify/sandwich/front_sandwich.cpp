@@ -71,7 +71,7 @@ Measurement measure(const Setting& at, double strip, Front front,
     while (last.position(node + 1, top).x() <= 0.5 * strip * (1.0 + 1e-9)) ++node;
     const double notch = last.position(sides, top).y() - last.position(node, top).y();
     return Measurement(1.0 / at.count("columns"))
-        .value(rate_error, regression_rate(*burn) / exact.regression_rate() - 1.0, 1.0)
+        .value(rate_error, regression_rate(*burn) / exact.regression_rate() - 1.0)
         .value(interface_error, last.temperature(node, top) - exact.interface_temperature())
         .value(notch_error, (notch - exact.notch_depth()) / um);
 }

@@ -19,14 +19,12 @@
 ///   corner exist; finite elements give them at order 2 lambda = 1.19, the singularity once in the
 ///   stress and once in the dual problem. An element that locks does not: q1 shows 0.6, or none.
 /// - The surface burns a notch one cell wide at first: AP beside hot binder burns faster than AP
-///   alone, and the node on the interface burns as the mean of both.
+///   alone and leads, and the binder is drawn down after it.
 ///
-/// The second is not asymptotic on any grid one would use: from halving to halving T_s on the axis
-/// rises by 0.6, 0.7, 0.7 K and the notch deepens by 0.4, 0.6, 0.6 um (without mechanics the same,
-/// and the order of these differences climbs to 0.5 at 512 columns; on a surface held flat,
-/// cases/verify/sandwich/sandwich_thermal.cpp, the whole error is 0.1 K on 128 columns). What is
-/// gated of them is their size: what a user has to reckon with. The mean burn rate, to which the
-/// notch adds a few per cent of the surface, is found to 3 parts in 1000 by the coarsest grid.
+/// What is gated of the second is its size, what a user has to reckon with: the change from half
+/// the columns of T_s on the axis, of the notch, and of both rates. The mean over the arc changes
+/// more than the regression rate, because the binder in the notch is the hottest of the surface and
+/// only a cell or two of it is there.
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +63,8 @@ constexpr auto strain = "strain, 15 um of binder beside the corner";
 constexpr auto axis_change = "T_s on the axis, change from half the columns [K]";
 constexpr auto notch_change = "surface at the interface, change from half the columns [m]";
 constexpr auto rate_change = "mean burn rate, change from half the columns, relative";
+constexpr auto regression = "regression rate [m/s]";
+constexpr auto regression_change = "regression rate, change from half the columns, relative";
 constexpr int coarsest = 32;
 
 /// The axes are keys of the scene; where steps are refined, their number until the end.
@@ -120,6 +120,7 @@ Measurement measure(const Setting& at, double h) {
     const double side = last.position(last.position.columns() - 1, 0).x();
     return Measurement(h)
         .value(rate, burn->mean_burn_rate.back())
+        .value(regression, burn->regression_rate.back())
         .sample(temperature, along_surface(last, middle, side, t))
         .sample(surface, along_surface(last, middle, side, y))
         .sample(notch, along_surface(last, interface, interface, y))
@@ -143,7 +144,8 @@ Measurement measure_columns(const Setting& at) {
     };
     return result.value(axis_change, change(axis))
         .value(notch_change, change(notch))
-        .value(rate_change, change(rate) / *result.value_of(rate));
+        .value(rate_change, change(rate) / *result.value_of(rate))
+        .value(regression_change, change(regression) / *result.value_of(regression));
 }
 
 reports::Study in_steps() {
@@ -188,7 +190,8 @@ reports::Study in_columns() {
         .covers({term::elastic_interface, term::incompressibility, term::heat_interface,
                  term::slope, term::surface_kink, term::jaumann_rotation})
         .difference_gate(corner_pressure, Norm::magnitude, singular, why)
-        .difference_gate(corner_stress, Norm::magnitude, singular, why)
+        .difference_gate(corner_stress, Norm::magnitude, singular.or_better(0.3),
+                         "as the pressure at the least; faster until the notch is resolved")
         .bound(axis_change, 256, between(-1.0, 1.0),
                "no order yet: 0.6, 0.7, 0.7 K; 0.2 % of the rise")
         .bound(notch_change, 256, between(-0.8 * um, 0.8 * um), "no order yet: less than a cell")
