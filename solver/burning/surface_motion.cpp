@@ -185,7 +185,11 @@ private:
         // Where the plane then is; a crossing that passes the node meanwhile takes it along.
         const double distance = std::max(other.distance - comes * dt, 0.0);
         const double plane = leader.height - sinks * dt + distance * *slope;
-        rate[dragged] = std::min(rate[dragged], carried[lead] + (plane - surface_[dragged]) / dt);
+        // Under a face that leans over it the leader comes out at the foot of a cliff. No node falls
+        // faster than a slope of this height swept along at the leader's speed.
+        const double fastest = speed * (1.0 + std::abs(grid_.slope(surface_, i)));
+        const double falls = std::min((surface_[dragged] - plane) / dt, fastest);
+        rate[dragged] = std::min(rate[dragged], carried[lead] - falls);
     }
 
     /// Slope p of the plane that a crossing draws behind it through material that burns at r, up
