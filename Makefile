@@ -33,6 +33,11 @@ endef
 TIDY_SINCE ?= $(shell git rev-list -1 --before="@$$(($$(git log -1 --format=%ct) - 86400))" HEAD)
 TIDY_MOST ?= 12
 
+# The sources to look at, what changed last first: those not committed, then commit by commit. A header stands for the
+# source of its name.
+changed_sources = { git diff --name-only HEAD; git log --format= --name-only $(TIDY_SINCE)..HEAD; } | \
+  sed -n 's/[.]hpp$$/.cpp/; /[.]cpp$$/p' | awk '!seen[$$0]++' | while read -r f; do [ -f "$$f" ] && echo "$$f"; done
+
 # How each file is compiled, but without GCC's precompiled headers, which clang cannot read: so a source that relies on
 # them for an include of its own is found, too.
 define tidy_database
@@ -107,8 +112,10 @@ tidy: tools build
 
 tidy-changed: tools build
 	$(tidy_database)
-	@git diff --name-only --diff-filter=d $(TIDY_SINCE) -- '*.cpp' | head -n $(TIDY_MOST) | \
-	  xargs -r -P $(JOBS) -n 1 clang-tidy --quiet -p build/tidy
+	@sources=$$($(changed_sources)); count=$$(echo "$$sources" | grep -c .); \
+	if [ $$count -gt $(TIDY_MOST) ]; then \
+	  echo "clang-tidy: the $(TIDY_MOST) changed last of $$count; all: make tidy-changed TIDY_MOST=$$count"; fi; \
+	echo "$$sources" | head -n $(TIDY_MOST) | xargs -r -P $(JOBS) -n 1 clang-tidy --quiet -p build/tidy
 
 clean:
 	@rm -rf build

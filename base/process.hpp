@@ -1,3 +1,4 @@
+/// A child process: run to its end, with what it wrote.
 #pragma once
 
 #include <string>

@@ -1,3 +1,4 @@
+/// What a result says of where it came from.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+/// A confined column that is heated as a whole: stress and temperature in closed form.
 #pragma once
 
 #include "reference/material.hpp"

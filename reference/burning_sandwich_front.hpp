@@ -1,3 +1,4 @@
+/// The steadily burning rigid sandwich as a free-boundary problem.
 #pragma once
 
 #include "reference/steady_front.hpp"

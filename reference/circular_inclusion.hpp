@@ -1,3 +1,4 @@
+/// An elastic disc in an elastic matrix under a load far away.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+/// A factorisation that eliminates the nodes inside elements first.
 #pragma once
 
 #include <Eigen/Dense>

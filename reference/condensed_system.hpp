@@ -1,3 +1,4 @@
+/// A linear system whose element interiors are condensed.
 #pragma once
 
 #include <Eigen/Dense>

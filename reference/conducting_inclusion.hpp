@@ -1,3 +1,4 @@
+/// A disc that conducts in a matrix that conducts otherwise.
 #pragma once
 
 #include "reference/fade.hpp"

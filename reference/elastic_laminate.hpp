@@ -1,3 +1,4 @@
+/// Layers side by side, pressed from above.
 #pragma once
 
 #include <Eigen/Core>

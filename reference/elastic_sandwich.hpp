@@ -1,3 +1,4 @@
+/// The mechanical sandwich by finite elements of high degree.
 #pragma once
 
 #include <Eigen/Dense>

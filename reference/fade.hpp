@@ -1,3 +1,4 @@
+/// A smooth function from one to zero, with its derivatives.
 #pragma once
 
 #include <Eigen/Core>

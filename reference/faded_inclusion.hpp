@@ -1,3 +1,4 @@
+/// The disc whose field fades out before the sides of a window.
 #pragma once
 
 #include "reference/circular_inclusion.hpp"

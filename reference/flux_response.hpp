@@ -1,3 +1,4 @@
+/// How a rigid burning slab answers a flux that swings.
 #pragma once
 
 #include <complex>

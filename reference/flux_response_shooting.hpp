@@ -1,3 +1,4 @@
+/// How a burning slab that expands answers a flux that swings, by shooting.
 #pragma once
 
 #include <array>

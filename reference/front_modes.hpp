@@ -1,3 +1,4 @@
+/// Small disturbances of a flat burning front: their dispersion relation.
 #pragma once
 
 #include <complex>

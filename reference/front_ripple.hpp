@@ -1,3 +1,4 @@
+/// A ripple of the flat front as it dies.
 #pragma once
 
 #include "reference/front_modes.hpp"

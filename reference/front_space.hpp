@@ -1,3 +1,4 @@
+/// The mesh of a burning sandwich, graded into its notch.
 #pragma once
 
 #include "reference/sandwich_geometry.hpp"

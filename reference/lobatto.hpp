@@ -1,3 +1,4 @@
+/// Nodes, weights and derivatives of Gauss-Lobatto-Legendre.
 #pragma once
 
 #include <Eigen/Dense>

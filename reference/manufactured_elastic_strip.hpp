@@ -1,3 +1,4 @@
+/// A made-up displacement of two bonded strips, with its loads.
 #pragma once
 
 #include <Eigen/Core>

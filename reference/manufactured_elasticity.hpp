@@ -1,3 +1,4 @@
+/// Stress and body force of a made-up displacement.
 #pragma once
 
 #include <Eigen/Core>

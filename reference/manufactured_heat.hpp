@@ -1,3 +1,4 @@
+/// Made-up heat under a surface that moves, with its sources.
 #pragma once
 
 #include <array>

@@ -1,3 +1,4 @@
+/// Material constants of the truths, typed in apart from those of the solver.
 #pragma once
 
 #include <limits>

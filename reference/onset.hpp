@@ -1,3 +1,4 @@
+/// A front that swings by the heat of its own pyrolysis.
 #pragma once
 
 #include "reference/front_modes.hpp"

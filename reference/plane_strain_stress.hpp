@@ -1,3 +1,4 @@
+/// The four stresses of plane strain.
 #pragma once
 
 namespace crawford::reference {

@@ -1,3 +1,4 @@
+/// Parameters that are missing or out of range, refused by name.
 #pragma once
 
 #include <string_view>

@@ -1,3 +1,4 @@
+/// The root of a function between two ends.
 #pragma once
 
 #include <boost/math/tools/roots.hpp>

@@ -1,3 +1,4 @@
+/// Half a sandwich, and how finely it is resolved.
 #pragma once
 
 #include "reference/material.hpp"

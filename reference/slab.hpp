@@ -1,3 +1,4 @@
+/// A slab that burns steadily, in closed form up to a quadrature.
 #pragma once
 
 #include <span>

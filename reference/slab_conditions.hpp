@@ -1,3 +1,4 @@
+/// What a steadily burning slab is made of and under what it burns.
 #pragma once
 
 #include <limits>

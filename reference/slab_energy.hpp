@@ -1,3 +1,4 @@
+/// The energy equation of a steadily burning slab, once integrated.
 #pragma once
 
 #include "reference/slab_conditions.hpp"

@@ -1,3 +1,4 @@
+/// The steadily burning slab by shooting.
 #pragma once
 
 #include <span>

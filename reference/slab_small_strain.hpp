@@ -1,3 +1,4 @@
+/// How far the Eulerian slab is from that of small strain, to first order.
 #pragma once
 
 #include "reference/slab_conditions.hpp"
@@ -5,9 +6,8 @@
 namespace crawford::reference {
 
 /// d T_s/d(theta) [K^2] at fixed beta theta, where theta = 0 is the half space of Kuznetsov and
-/// Stewart: how the surface temperature of the Eulerian model leaves theirs. With G = r_b g, D =
-/// T_s
-/// - T0 and a given burn rate, g_E = g_KS + theta g_1 + O(theta^2), where
+/// Stewart: how the surface temperature of the Eulerian model leaves theirs. With G = r_b g,
+/// D = T_s - T0 and a given burn rate, g_E = g_KS + theta g_1 + O(theta^2), where
 ///
 ///     g_1 = integral from 0 to D of d (rho c_p + s beta theta (T0 + d)) dd
 ///

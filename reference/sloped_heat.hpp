@@ -1,3 +1,4 @@
+/// Steady heat below a sloped surface that recedes as a whole.
 #pragma once
 
 #include <Eigen/Dense>

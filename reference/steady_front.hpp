@@ -1,3 +1,4 @@
+/// Surface and speed of a front that recedes as a whole, by Newton's method.
 #pragma once
 
 #include "reference/sloped_heat.hpp"

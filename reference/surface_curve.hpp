@@ -1,3 +1,4 @@
+/// A surface given by its slope, piece by piece.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+/// Piecewise polynomials on a graded rectangle.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+/// Layers side by side with heat across and along them.
 #pragma once
 
 #include "reference/material.hpp"

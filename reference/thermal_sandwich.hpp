@@ -1,3 +1,4 @@
+/// Steady heat in the flat sandwich by finite elements of high degree.
 #pragma once
 
 #include <Eigen/Dense>

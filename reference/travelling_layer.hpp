@@ -1,3 +1,4 @@
+/// A layer of heat that travels with the front.
 #pragma once
 
 #include "reference/material.hpp"

@@ -139,6 +139,10 @@ private:
     void compare_errors(const GateResult& gate, const FinestErrors& errors) {
         const double factor = found_.yardstick.grown;
         if (std::isnan(errors.now) && std::isnan(errors.before)) return;
+        if (std::isnan(errors.now)) {
+            list(Change::grown, gate, fmt::format("no number, was {:.6e}", errors.before));
+            return;
+        }
         if (errors.before_is_roundoff) {
             if (!(errors.now <= factor * errors.before))
                 list(Change::from_roundoff, gate,
@@ -153,7 +157,7 @@ private:
             list(Change::grown, gate, detail);
         else if (growth * factor < 1.0)
             list(Change::shrunk, gate, detail);
-        else if (std::isnan(growth))
+        else if (std::isnan(growth))  // a number where there was none
             list(Change::other, gate, detail);
     }
 

@@ -29,7 +29,7 @@ enum class Change {
     gone,   ///< it was there before, and its study has run
     added,  ///< it was not there before
     lost,   ///< it passed before and does not now
-    grown,  ///< its finest error grew by more than the factor
+    grown,  ///< its finest error grew by more than the factor, or is no number any more
     shrunk,
     from_roundoff,  ///< its finest error was round-off and no yardstick, and has grown
     other           ///< its verdict changed or, where exact, any of its numbers

@@ -1,3 +1,4 @@
+/// A verification in a line a study, with the gates that fall short in full.
 #pragma once
 
 #include <string>

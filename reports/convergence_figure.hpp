@@ -1,3 +1,4 @@
+/// The plot of a gate: errors against the grid.
 #pragma once
 
 #include <filesystem>

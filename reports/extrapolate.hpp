@@ -1,3 +1,4 @@
+/// The limit of values on three grids, with its uncertainty.
 #pragma once
 
 #include <span>

@@ -1,3 +1,4 @@
+/// Tables and maps that a figure is drawn from.
 #pragma once
 
 #include <cstddef>

@@ -57,8 +57,7 @@ public:
     }
 
     GateResult operator()(const Study::GridBound& row) const {
-        auto bound = row.bound;
-        bound.quantity += fmt::format(", grid {}", row.grid);
+        const Bound bound = titled(row);
         if (std::ranges::find(left_out_, row.grid) != left_out_.end())
             return ungated(bound, row.bound.quantity, {row.grid});
         const auto run = std::ranges::find(runs_, row.grid, &GridRun::grid);
@@ -72,8 +71,7 @@ public:
     }
 
     GateResult operator()(const Study::LimitBound& row) const {
-        auto bound = row.bound;
-        bound.quantity += ", h -> 0";
+        const Bound bound = titled(row);
         if (!left_out_.empty()) return ungated(bound, row.bound.quantity, left_out_);
         for (const auto& run : runs_)
             if (!value_of(run, row.bound.quantity))
@@ -85,6 +83,18 @@ public:
         record(result, row.bound.quantity);
         result.limit = limit;
         return result;
+    }
+
+    /// The bound as it is listed: with the grid that it is of.
+    static Bound titled(const Study::GridBound& row) {
+        Bound bound = row.bound;
+        bound.quantity += fmt::format(", grid {}", row.grid);
+        return bound;
+    }
+    static Bound titled(const Study::LimitBound& row) {
+        Bound bound = row.bound;
+        bound.quantity += ", h -> 0";
+        return bound;
     }
 
     /// A row that was not judged at all keeps its name and reason.
@@ -147,7 +157,7 @@ GateResult described(const Study::Row& row) {
         if constexpr (requires { r.gate; }) {
             return judge(r.gate, Convergence({}), {});
         } else {
-            return Judge::unjudged(r.bound, "");
+            return Judge::unjudged(Judge::titled(r), "");
         }
     };
     return std::visit(describe, row);

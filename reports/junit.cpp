@@ -46,10 +46,15 @@ Element skipped(const std::string& message) {
     return element;
 }
 
+/// Of a gate of order with its grids: one quantity may be gated on several ranges of them.
+std::string name_of(const GateResult& gate) {
+    if (gate.kind == GateKind::bound) return gate.quantity;
+    return fmt::format("{}, {}, grids {} to {}, order {:g}", gate.quantity, gate.norm,
+                       gate.coarsest, gate.finest, gate.expected);
+}
+
 Element test_of(const GateResult& gate) {
-    const auto name =
-        gate.norm.empty() ? gate.quantity : fmt::format("{}, {}", gate.quantity, gate.norm);
-    auto element = test(gate.study, name, gate.seconds);
+    auto element = test(gate.study, name_of(gate), gate.seconds);
     if (gate.fell_short())
         element.add_child("failure", failure(gate.failure, table({gate})));
     else if (!gate.gated)

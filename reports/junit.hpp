@@ -1,3 +1,4 @@
+/// A verification as JUnit XML, a test a gate.
 #pragma once
 
 #include <filesystem>

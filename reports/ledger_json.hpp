@@ -1,3 +1,4 @@
+/// The ledger as JSON, out and in.
 #pragma once
 
 #include "reports/ledger.hpp"

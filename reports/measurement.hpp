@@ -1,3 +1,4 @@
+/// What a run has found: errors, samples and numbers, by name.
 #pragma once
 
 #include <limits>

@@ -52,6 +52,7 @@ Record record_of(const std::string& experiment, const Setting& setting,
                  const std::function<void(Record&)>& run) {
     const auto start = std::chrono::steady_clock::now();
     const double cpu = seconds_of_this_thread();
+    work_of_this_thread() = {};
     Record record{.experiment = experiment, .setting = setting, .found = {}};
     try {
         run(record);
@@ -59,7 +60,8 @@ Record record_of(const std::string& experiment, const Setting& setting,
         record.ending = ending_of(std::current_exception());
     }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    record.cost = {wall.count(), seconds_of_this_thread() - cpu, peak_memory()};
+    record.cost = {wall.count(), seconds_of_this_thread() - cpu, peak_memory(),
+                   work_of_this_thread()};
     return record;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/work_done.hpp"
 #include "reports/figure_contents.hpp"
 #include "reports/measurement.hpp"
 #include "reports/setting.hpp"
@@ -21,6 +22,7 @@ struct Cost {
     double wall_seconds = 0.0;
     double cpu_seconds = 0.0;    ///< of the thread that ran it
     long peak_memory_bytes = 0;  ///< of the whole program up to the end of the run
+    WorkDone work = {};          ///< steps, cells, solver iterations
 };
 
 /// How a run has ended.

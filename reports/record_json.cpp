@@ -122,6 +122,11 @@ void to_json(Json& json, const Record& record) {
     json["cost"] = {{"wall_seconds", record.cost.wall_seconds},
                     {"cpu_seconds", record.cost.cpu_seconds},
                     {"peak_memory_bytes", record.cost.peak_memory_bytes}};
+    if (const WorkDone& work = record.cost.work; work.steps > 0) {
+        json["cost"]["steps"] = work.steps;
+        json["cost"]["cells"] = work.cells;
+        json["cost"]["solver_iterations"] = work.solver_iterations;
+    }
     json["outcome"] = name(record.ending.kind);
     if (!record.ending.is_done()) json["failure"] = failure(record.ending);
     json["fingerprint"] = record.fingerprint;
@@ -134,7 +139,12 @@ void from_json(const Json& json, Record& record) {
     json.at("setting").get_to(record.setting);
     json.at("fingerprint").get_to(record.fingerprint);
     const auto& cost = json.at("cost");
-    record.cost = {cost.at("wall_seconds"), cost.at("cpu_seconds"), cost.at("peak_memory_bytes")};
+    record.cost = {cost.at("wall_seconds"),
+                   cost.at("cpu_seconds"),
+                   cost.at("peak_memory_bytes"),
+                   {.steps = cost.value("steps", 0L),
+                    .cells = cost.value("cells", 0L),
+                    .solver_iterations = cost.value("solver_iterations", 0L)}};
     record.ending.kind = ending_named(json.at("outcome"));
     if (!record.ending.is_done()) {
         read_failure(json.at("failure"), record.ending);

@@ -1,3 +1,4 @@
+/// Text broken at a width.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+/// Which study would see a fault in which term, as a table.
 #pragma once
 
 #include "reports/page/html.hpp"

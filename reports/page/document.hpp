@@ -1,3 +1,4 @@
+/// The frame of a page.
 #pragma once
 
 #include <string>

@@ -1,3 +1,4 @@
+/// One gate on the report's page.
 #pragma once
 
 #include "reports/gate.hpp"

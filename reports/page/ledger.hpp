@@ -1,3 +1,4 @@
+/// The ledger as a page.
 #pragma once
 
 #include <string>

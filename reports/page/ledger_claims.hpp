@@ -1,3 +1,4 @@
+/// The claims of the ledger's page, one by one.
 #pragma once
 
 #include "reports/ledger.hpp"

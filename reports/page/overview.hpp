@@ -1,3 +1,4 @@
+/// What a report says first.
 #pragma once
 
 #include "reports/page/html.hpp"

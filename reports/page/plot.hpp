@@ -1,3 +1,4 @@
+/// Plots of gates on a page, as SVG.
 #pragma once
 
 #include "reports/gate.hpp"

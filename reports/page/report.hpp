@@ -1,3 +1,4 @@
+/// A verification as a page.
 #pragma once
 
 #include <string>

@@ -1,3 +1,4 @@
+/// The studies of the report's page, with their gates.
 #pragma once
 
 #include "reports/page/html.hpp"

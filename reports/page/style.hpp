@@ -1,3 +1,4 @@
+/// How pages look.
 #pragma once
 
 namespace crawford::reports::page {

@@ -30,14 +30,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto run_name = "burn";
-constexpr std::string_view failed = "failed: ";
 
 /// What lies in a directory of the store.
 struct Found {
     std::string outcome;
     Output output;
 
-    bool has_ended() const { return outcome == "done" || outcome.starts_with(failed); }
+    /// One that failed has not: it is tried again from its last checkpoint.
+    bool has_ended() const { return outcome == "done"; }
     bool serves(const Scene& scene) const {
         return has_ended() && covers(output, scene.output, scene.time.step);
     }
@@ -156,13 +156,8 @@ std::shared_ptr<const KeptRun> KeptRuns::get(const Scene& scene,
     prepare_directory(place_);
     const FileLock lock(place_ / (short_digest(scene) + ".lock"));
     const fs::path directory = directory_of(scene);
-    auto found = find(directory, scene);
-    if (!found || !found->serves(scene)) {
-        make(scene, found, directory, progress);
-        found = find(directory, scene);
-    }
-    if (found && found->outcome.starts_with(failed))
-        throw NumericalFailure(found->outcome.substr(failed.size()));
+    const auto found = find(directory, scene);
+    if (!found || !found->serves(scene)) make(scene, found, directory, progress);
     return std::make_shared<const KeptRun>(load(scene, directory));
 }
 

@@ -42,11 +42,12 @@ public:
     /// all the output that is asked for; if it lacks some it is burnt again, with what it had and
     /// what is asked for. Who asks for a run that is under way, in whatever process, waits for it.
     /// \param progress told after each step how much is done, 0 to 1
-    /// \throws NumericalFailure if the run fails, and at once if it is known to.
+    /// \throws NumericalFailure if the run fails. Asked again, it is tried again from its last
+    /// checkpoint.
     std::shared_ptr<const KeptRun> get(const Scene& scene,
                                        const std::function<void(double)>& progress = {}) const;
 
-    /// Whether get() would return, or fail, without burning.
+    /// Whether get() would return without burning.
     bool has(const Scene& scene) const;
 
 private:

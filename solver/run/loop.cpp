@@ -1,6 +1,9 @@
 #include "solver/run/loop.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "base/work_done.hpp"
 
 namespace crawford {
 
@@ -12,6 +15,14 @@ namespace {
 
 Stop at_step(long last) {
     return [last](const Simulation& simulation) { return simulation.state().step >= last; };
+}
+
+void book_step(const Simulation& simulation) {
+    WorkDone& done = work_of_this_thread();
+    const Grid& grid = simulation.grid();
+    ++done.steps;
+    done.cells = std::max(done.cells, long(grid.cell_columns()) * grid.rows());
+    done.solver_iterations += simulation.solver_iterations();
 }
 
 /// The time at which the next step ends [s].
@@ -33,6 +44,7 @@ void run_until(Simulation& simulation, const Stop& stop, const std::vector<Obser
     while (!stop(simulation)) {
         const double before = simulation.state().time;
         simulation.step(next_time(simulation));
+        book_step(simulation);
         for (const Observer& observer : observers) observer(simulation, before);
     }
 }

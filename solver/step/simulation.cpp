@@ -271,6 +271,10 @@ Summary Simulation::summary() const {
     return summary;
 }
 
+int Simulation::solver_iterations() const {
+    return modules_->solver_iterations;
+}
+
 CellField Simulation::material_fraction() const {
     return modules_->materials.fraction();
 }

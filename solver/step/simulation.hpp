@@ -57,6 +57,7 @@ public:
     // What follows from the state, computed when asked.
     CellField material_fraction() const;   ///< of the first material in each cell, 0 to 1
     NodeField material_indicator() const;  ///< Phi: 1 in the first material, -1 in the second
+    int solver_iterations() const;         ///< of the last step's linear solver; 0 for a direct one
     SurfaceField burn_rate() const;        ///< r_b of each node column [m/s]
     Lattice<Eigen::Matrix2d> deformation_gradient() const;  ///< F of each cell; empty without a map
     /// Green-St. Venant strain E11, E22, E12 of each cell (paper eq. 30, 48); empty without a

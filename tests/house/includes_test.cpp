@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "base/source_tree.hpp"
 #include "include_graph.hpp"
 
@@ -54,6 +57,16 @@ TEST(Includes, OfThisTreeAreAllowed) {
         ours.wrappers.insert(fmt::format("reports/{}_json.hpp", json));
     for (const std::string& complaint : complaints(source_path("."), ours))
         ADD_FAILURE() << complaint;
+}
+
+TEST(Headers, SayFirstWhatTheyAreFor) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_path("."))) {
+        const auto folder = relative(entry.path(), source_path(".")).begin()->string();
+        if (entry.path().extension() != ".hpp" || !rules().may_know.contains(folder)) continue;
+        std::string first;
+        std::getline(std::ifstream(entry.path()), first);
+        EXPECT_THAT(first, HasSubstr("///")) << entry.path();
+    }
 }
 
 TEST(Includes, AreRead) {

@@ -76,6 +76,23 @@ TEST_F(Records, KeepEveryBit) {
     EXPECT_EQ(sample.weights.size(), 3U);
 }
 
+TEST_F(Records, SayWhatWasDone) {
+    const auto stepping = [](const Setting&) {
+        work_of_this_thread() = {.steps = 7, .cells = 4096, .solver_iterations = 91};
+        return found(1.0);
+    };
+    RecordStore(directory_, "a").add(record_of(experiment, rows(64), stepping));
+    EXPECT_NE(text().find("\"cells\":4096"), std::string::npos) << text();
+    const auto record = RecordStore(directory_, "a").find(experiment, rows(64));
+    ASSERT_TRUE(record);
+    EXPECT_EQ(record->cost.work.steps, 7);
+    EXPECT_EQ(record->cost.work.solver_iterations, 91);
+
+    RecordStore(directory_, "a").add(done(32, 1.0));
+    EXPECT_EQ(RecordStore(directory_, "a").find(experiment, rows(32))->cost.work.steps, 0)
+        << "the work of the run before is not its own";
+}
+
 TEST_F(Records, KeepWhatIsNoNumber) {
     const double infinity = std::numeric_limits<double>::infinity();
     RecordStore store(directory_, "a");

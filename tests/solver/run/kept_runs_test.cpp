@@ -102,6 +102,18 @@ TEST_F(KeptRunsTest, ThatAreDamagedAreMadeAnew) {
     EXPECT_EQ(steps_to_get(scene), 8);
 }
 
+TEST_F(KeptRunsTest, ThatFailedAreTriedAgainFromTheirLastCheckpoint) {
+    Scene scene = small_scene(80e-6);
+    scene.surface.heat_flux = {1e10, 1e10};  // boils within the first steps
+    scene.time.step = 2e-3;
+    scene.time.end = 16e-3;
+    scene.output = {};
+    EXPECT_THROW(runs_.get(scene), NumericalFailure);
+    EXPECT_FALSE(runs_.has(scene));
+    int told = 0;
+    EXPECT_THROW(runs_.get(scene, [&](double) { ++told; }), NumericalFailure);
+}
+
 TEST(RunIdentity, UnitesWhatIsAskedOfOneRun) {
     Scene other = small_scene(40e-6);
     other.bottom.temperature = 301.0;
