@@ -61,9 +61,9 @@ std::vector<CellPoint> PrescribedMotion::points(const std::vector<Local>& of_a_c
                     {.i = i,
                      .j = j,
                      .point = int(k),
-                     .x = {grid_.x(i) + at.a * grid_.dx(), between(surface_) + eta},
+                     .x = {grid_.x(i) + at.a * grid_.dx(i), between(surface_) + eta},
                      .surface_rate = between(surface_rate_),
-                     .weight = grid_.dx() * grid_.height(j) / double(of_a_cell.size())});
+                     .weight = grid_.dx(i) * grid_.height(j) / double(of_a_cell.size())});
             }
     return result;
 }

@@ -116,7 +116,7 @@ Columns even(const Domain& d) {
 
 Columns columns_of(const Domain& domain, double interface) {
     if (domain.clustering_x == 0.0) return even(domain);
-    const Columns half = clustered_half(domain, interface);
+    const Columns half = clustered_half(domain, interface > 0.0 ? interface : domain.width / 8.0);
     return domain.half ? half : mirrored(half);
 }
 

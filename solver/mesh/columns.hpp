@@ -14,7 +14,7 @@ struct Columns {
 };
 
 /// \param interface half the width of what the columns cluster about, the strip |x| <= interface
-/// [m]; read only where domain.clustering_x > 0. Then a column stands on each interface, with cells
+/// [m], an eighth of the width if it is 0; read only where domain.clustering_x > 0. Then a column stands on each interface, with cells
 /// beside it of 2^-clustering_x of the mean width. Between two interfaces their width changes as
 ///     x = L/2 (1 + tanh(b (2 s - 1))/tanh(b)),   0 <= s <= 1,
 /// with tan for tanh where the mean there is less than at the interface; how many columns each part

@@ -38,11 +38,10 @@ void check_finite(const StressField& stress) {
         }
 }
 
-/// What clustered columns are clustered about: the sides of the strip, or, in one material, those of
-/// a strip a quarter of the width wide.
+/// What clustered columns are clustered about: the sides of the strip.
 double interface_of(const Scene& scene) {
     const auto* sandwich = std::get_if<Sandwich>(&scene.morphology.shape);
-    return 0.5 * (sandwich ? sandwich->strip : 0.25 * scene.domain.width);
+    return sandwich ? 0.5 * sandwich->strip : 0.0;
 }
 
 }  // namespace

@@ -68,6 +68,23 @@ reports::Study in_space() {
     return study;
 }
 
+/// The same on columns that are clustered as those of a sandwich: every difference along a row and
+/// every cell's width knows it.
+reports::Study on_clustered_columns() {
+    reports::Study study("coupled, in space, clustered columns");
+    study.refines("cells", {16, 32, 64}).covers(terms).measure([](int cells) {
+        return run_manufactured({.cells = cells,
+                                 .clustering_x = 1.0,
+                                 .steps = cells / 8,
+                                 .end = end / 2,
+                                 .scheme = Stepping::bdf2},
+                                1.0 / cells);
+    });
+    for (const Gated& g : gated)
+        study.gate(g.quantity, Norm::L2, expect(2.0).within(0.25), g.reason);
+    return study;
+}
+
 /// Successive differences between runs of more and more steps: the grid's error is in all alike,
 /// and they start from one state that the grid has settled.
 reports::Study in_time(const std::string& name, const ManufacturedBurn& burn, double order,
@@ -93,7 +110,7 @@ std::vector<reports::Study> studies() {
     const ManufacturedBurn two_step{
         .cells = cells, .end = end, .scheme = Stepping::bdf2, .start = Start::settled};
     return {
-        in_space(),
+        in_space(), on_clustered_columns(),
         in_time("paper's step", paper, 1.0,
                 "forward Euler; heat is second order alone, but its motion lags by a step"),
         in_time("two-step", two_step, 2.0,

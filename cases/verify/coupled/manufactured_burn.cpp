@@ -48,8 +48,12 @@ ManufacturedBurning truth() {
 
 Scene scene_of(const ManufacturedBurn& burn) {
     Scene scene;
-    scene.domain = {
-        .width = window, .depth = window, .nx = burn.cells, .ny = burn.cells, .clustering = 1.0};
+    scene.domain = {.width = window,
+                    .depth = window,
+                    .nx = burn.cells,
+                    .ny = burn.cells,
+                    .clustering = 1.0,
+                    .clustering_x = burn.clustering_x};
     scene.morphology.materials = {solid()};
     scene.surface = {.pressure = pressure, .heat_flux = {gas_flux}};
     scene.bottom.support = Support::clamped;
@@ -93,8 +97,8 @@ public:
     Vector node(int i, int j) const { return {grid_.x(i), surface_[size_t(i)] + grid_.eta(j)}; }
 
     Vector in_cell(int i, int j, Local at) const {
-        const double rise = at.a * grid_.dx() * grid_.slope(surface_, i);
-        return {grid_.x(i) + at.a * grid_.dx(),
+        const double rise = at.a * grid_.dx(i) * grid_.slope(surface_, i);
+        return {grid_.x(i) + at.a * grid_.dx(i),
                 surface_[size_t(i)] + rise + grid_.eta(j) + at.b * grid_.height(j)};
     }
 

@@ -15,6 +15,7 @@ enum class Start {
 
 struct ManufacturedBurn {
     int cells = 32;  ///< across and along
+    double clustering_x = 0.0;
     int steps = 1;
     double end = 0.0;  ///< [s]
     Stepping scheme = Stepping::euler;

@@ -47,7 +47,7 @@ public:
             for (int j = 0; j < values.rows(); ++j) {
                 const double top =
                     0.5 * (surface[size_t(i)] + surface[size_t(grid_.right_node(i))]);
-                values(i, j) = heat_.material_rate(grid_.x(i) + 0.5 * grid_.dx(),
+                values(i, j) = heat_.material_rate(grid_.x(i) + 0.5 * grid_.dx(i),
                                                    top + grid_.eta(j) + 0.5 * grid_.height(j), t);
             }
         return values;

@@ -27,6 +27,25 @@ TEST(Grid, ClustersAsThePaperSays) {
             << j;
 }
 
+TEST(Grid, ClustersItsColumnsAboutAStrip) {
+    for (const bool half : {false, true}) {
+        const Domain domain{
+            .width = 240e-6, .depth = 480e-6, .nx = 64, .ny = 4, .clustering_x = 2.0, .half = half};
+        const Grid grid(domain, 30e-6);
+        int on_interface = -1;
+        for (int i = 0; i < grid.cell_columns(); ++i) {
+            if (std::abs(grid.x(i) - 30e-6) < 1e-15) on_interface = i;
+            EXPECT_NEAR(grid.dx(i), grid.x(i + 1) - grid.x(i), 1e-18);
+            EXPECT_NEAR(grid.metric_x(i, 0.5), grid.dx(i), 0.05 * grid.dx(i)) << i;
+        }
+        ASSERT_GT(on_interface, 0);
+        EXPECT_NEAR(grid.metric_x(on_interface), 240e-6 / 64 / 4, 1e-15);
+        EXPECT_NEAR(grid.x(grid.cell_columns()), 120e-6, 1e-15);
+        EXPECT_NEAR(grid.x(0), half ? 0.0 : -120e-6, 1e-15);
+        EXPECT_NEAR(grid.width(), half ? 120e-6 : 240e-6, 1e-15);
+    }
+}
+
 TEST(Grid, WrapsAroundOrEndsAtAPlaneOfSymmetry) {
     const Grid whole({.nx = 8, .ny = 4});
     const Grid half({.nx = 8, .ny = 4, .half = true});
