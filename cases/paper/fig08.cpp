@@ -2,9 +2,9 @@
 ///
 /// Surface temperature and profile of the sandwich of figure 7 for grids of 32 to 256 columns, the
 /// rows kept. The curves lie close but do not settle as fast as lines on paper suggest: beside the
-/// interface the surface burns a notch that every grid makes one cell wide at first, and the
-/// differences between successive grids, given beside the figure, do not halve (case
-/// "sandwich-refinement" says why).
+/// interface the surface burns a notch that every grid makes one cell wide at first. Differences
+/// between successive grids are given beside the figure (case "sandwich-refinement" says what they
+/// are, "front-sandwich" how far a rigid sandwich is from its exact front).
 
 #include <fmt/format.h>
 

@@ -46,7 +46,10 @@ void add(Outcome& outcome, const std::string& name, const Burn& burn) {
                {{"x", "um", scaled(surface.x, um)}, {"T_s", "K", surface.temperature}})
         .table("rate_" + name, {{"t", "ms", scaled(burn.time, ms)},
                                 {"mean r_b", "cm/s", scaled(burn.mean_burn_rate, cm / s)}});
-    outcome.findings.push_back({finds::of(name, "mean burn rate"), rate / (cm / s), "cm/s"});
+    outcome.findings.push_back(
+        {finds::of(name, "mean burn rate over the arc"), rate / (cm / s), "cm/s"});
+    outcome.findings.push_back(
+        {finds::of(name, "regression rate"), burn.regression_rate.back() / (cm / s), "cm/s"});
     outcome.findings.push_back(
         {finds::of(name, finds::of_binder), burn.last.temperature(0, top), "K"});
     outcome.findings.push_back(

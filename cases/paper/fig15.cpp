@@ -39,6 +39,7 @@ namespace finds {
 constexpr auto temperature = "largest temperature, mean of the whole run";
 constexpr auto later_temperature = "largest temperature, mean from 20 ms on";
 constexpr auto burn_rate = "mean burn rate, mean of the whole run";
+constexpr auto regression_rate = "regression rate";
 constexpr auto later_burn_rate = "mean burn rate, mean from 20 ms on";
 std::string of(const std::string& run, const std::string& what) {
     return run + ": " + what;
@@ -64,6 +65,7 @@ std::pair<Course, Course> add(Outcome& outcome, const std::string& name, const B
     find(finds::later_burn_rate, rate.mean / (cm / s), "cm/s");
     find("mean burn rate, standard deviation in time", rate.deviation / (cm / s), "cm/s");
     find(finds::burn_rate, ledger::mean_burn_rate_of_all.of(burn), "cm/s");
+    find(finds::regression_rate, ledger::regression_rate_of_all.of(burn), "cm/s");
     outcome.scenes.push_back(burn.scene);
     return {temperature, rate};
 }
@@ -143,15 +145,18 @@ ledger::Rows burn_rates(const ledger::Evidence& evidence) {
                 half_digit("0.449")},
                {without, uncertainty(evidence, of_rigid_pack, mean_burn_rate_of_all), pack_as_read,
                 before({since_20_ms, rigid_later}, others(read, quantity::rigid_burn_rate)),
-                fmt::format("From 20 ms on {:.4f}. The specific heat is not printed, and the rate "
+                fmt::format("Over the arc; the regression rate is {:.4f}. From 20 ms on {:.4f}. "
+                            "The specific heat is not printed, and the rate "
                             "goes roughly as its inverse.",
-                            rigid_later),
+                            found(finds::of(thermal, finds::regression_rate)), rigid_later),
                 "{:.4f}"}),
         judged({"mean burn rate, thermo-mechanical", "Fig. 15b", "fig15", "cm/s", "0.42", 0.42,
                 half_digit("0.42")},
                {with, uncertainty(evidence, of_pack, mean_burn_rate_of_all), pack_as_read,
                 before({since_20_ms, later}, others(read, quantity::burn_rate)),
-                fmt::format("From 20 ms on {:.4f}.", later), "{:.4f}"}),
+                fmt::format("Over the arc; the regression rate is {:.4f}. From 20 ms on {:.4f}.",
+                            found(finds::of(coupled, finds::regression_rate)), later),
+                "{:.4f}"}),
         judged({"change of the burn rate by mechanics", "Fig. 15b", "fig15", "%", "-6.5",
                 100.0 * (0.42 / 0.449 - 1.0), 100.0 * half_digit("0.42") / 0.449},
                {per_cent(with, without),

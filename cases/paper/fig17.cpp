@@ -63,7 +63,8 @@ double add(Outcome& outcome, const std::string& name, const Burn& burn) {
     find("strain norm over 5 um about the peak, mean", about_peak.mean, "-");
     find(finds::highest_strain, std::ranges::max(burn.largest_strain), "-");
     for (const ledger::Measure& measure :
-         {ledger::mean_burn_rate_of_all, ledger::mean_strain, ledger::mean_strain_about_peak})
+         {ledger::mean_burn_rate_of_all, ledger::regression_rate_of_all, ledger::mean_strain,
+          ledger::mean_strain_about_peak})
         outcome.findings.push_back(finding(measure, burn, finds::of_whole(name)));
     outcome.scenes.push_back(burn.scene);
     return rate.mean;
@@ -103,7 +104,8 @@ ledger::Rows claims(const ledger::Evidence& evidence) {
              uncertainty(evidence, of_pack_2Q, mean_burn_rate_of_all),
              pack_as_read,
              {{since_20_ms, found(finds::of(twice_the_flux, finds::later_burn_rate))}},
-             {},
+             fmt::format("Over the arc; the regression rate is {:.4f}.",
+                         of_run(twice_the_flux, regression_rate_of_all)),
              "{:.4f}"}),
         judged({"mean of the largest strain, 2Q", "Fig. 17b", "fig17", "%", "37.24", 37.24,
                 half_digit("37.24")},

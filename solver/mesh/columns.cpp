@@ -1,7 +1,6 @@
 #include "solver/mesh/columns.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,44 +13,21 @@ namespace {
 class Part {
 public:
     Part(double length, int cells, double end_width)
-        : length_(length), cells_(cells), narrows_(end_width * cells <= length) {
-        // dx/ds at the ends over L: 2 b/sinh(2 b), or 2 b/sin(2 b)
-        const double wanted = end_width * cells / length;
-        const auto excess = [&](double b) {
-            return (narrows_ ? wanted - end(b) : end(b) - wanted);
-        };
-        if (std::abs(wanted - 1.0) < 1e-9) return;
-        const double most = narrows_ ? 350.0 : 0.5 * std::numbers::pi * (1.0 - 1e-12);
-        const auto [low, high] = boost::math::tools::bisect(
-            excess, 1e-9, most, boost::math::tools::eps_tolerance<double>());
-        b_ = 0.5 * (low + high);
-    }
+        : length_(length), cells_(cells), end_(end_width * cells / length) {}
 
     double place(double s) const {  ///< from the left end [m]
-        const double z = 2.0 * s - 1.0;
-        if (b_ == 0.0) return length_ * s;
-        const double f =
-            narrows_ ? std::tanh(b_ * z) / std::tanh(b_) : std::tan(b_ * z) / std::tan(b_);
-        return 0.5 * length_ * (1.0 + f);
+        const double turn = 2.0 * std::numbers::pi * s;
+        return length_ * (s - (1.0 - end_) * std::sin(turn) / (2.0 * std::numbers::pi));
     }
-
     double metric(double s) const {  ///< dx/d(cells) [m]
-        const double z = 2.0 * s - 1.0;
-        if (b_ == 0.0) return length_ / cells_;
-        const double f = narrows_ ? b_ / (std::tanh(b_) * std::pow(std::cosh(b_ * z), 2))
-                                  : b_ / (std::tan(b_) * std::pow(std::cos(b_ * z), 2));
-        return length_ / cells_ * f;
+        const double turn = 2.0 * std::numbers::pi * s;
+        return length_ / cells_ * (1.0 - (1.0 - end_) * std::cos(turn));
     }
 
 private:
-    double end(double b) const {
-        return 2.0 * b / (narrows_ ? std::sinh(2.0 * b) : std::sin(2.0 * b));
-    }
-
     double length_;
     int cells_;
-    bool narrows_;
-    double b_ = 0.0;
+    double end_;  // width of a cell at the ends, in means of the part
 };
 
 /// From the middle of the strip, x = 0, to the middle of what surrounds it.

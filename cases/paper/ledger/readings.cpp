@@ -44,7 +44,8 @@ const std::vector<Reading> alone = {
     {"clamped bottom", {"bottom.support=clamped"}},
     {"largest strain component", {"numerics.strain_norm=largest"}},
     {"q1 element", {"numerics.element=q1"}},
-    {"no viscosity at corners", {"numerics.viscous_time=0 s"}}};
+    {"no viscosity at corners", {"numerics.viscous_time=0 s"}},
+    {"mean of the rates where materials meet", {"numerics.front=mean of materials"}, true}};
 
 const std::vector<Reading> of_a_pack = {
     {"material carried by the map", {"morphology.indicator=reference map"}}};
@@ -86,7 +87,9 @@ std::vector<Reading> readings(const std::vector<Reading>& more) {
 std::vector<std::string> rigid_set(const Reading& reading) {
     if (!reading.of_rigid) return {};
     std::vector<std::string> set = reading.set;
-    std::erase_if(set, [](const std::string& key) { return key.starts_with("numerics."); });
+    std::erase_if(set, [](const std::string& key) {
+        return key.starts_with("numerics.") && !key.starts_with("numerics.front");
+    });
     return set;
 }
 

@@ -80,6 +80,8 @@ std::vector<double> heights(const Burn& burn) {
 
 constinit const Measure mean_burn_rate_of_all{
     "mean burn rate", "cm/s", [](const Burn& b) { return mean(b.mean_burn_rate) / (cm / s); }};
+constinit const Measure regression_rate_of_all{
+    "regression rate", "cm/s", [](const Burn& b) { return mean(b.regression_rate) / (cm / s); }};
 constinit const Measure mean_temperature{"mean of the largest temperature", "K",
                                          [](const Burn& b) { return mean(b.largest_temperature); }};
 constinit const Measure mean_strain{"mean of the largest strain", "-",
@@ -97,6 +99,8 @@ constinit const Measure relief{"relief of the surface at the end", "um", [](cons
 
 constinit const Measure last_burn_rate{
     "mean burn rate", "cm/s", [](const Burn& b) { return b.mean_burn_rate.back() / (cm / s); }};
+constinit const Measure last_regression_rate{
+    "regression rate", "cm/s", [](const Burn& b) { return b.regression_rate.back() / (cm / s); }};
 constinit const Measure last_temperature{
     "largest temperature", "K", [](const Burn& b) { return b.largest_temperature.back(); }};
 constinit const Measure last_strain{"largest strain", "-",
@@ -117,22 +121,27 @@ constinit const Measure height_of_profile{"height of the profile above the edge"
                                           }};
 
 std::vector<Measure> pack_measures() {
-    return {mean_burn_rate_of_all,  mean_temperature,         mean_strain,
-            mean_strain_about_peak, mean_pressure_about_peak, relief};
+    return {mean_burn_rate_of_all,
+            regression_rate_of_all,
+            mean_temperature,
+            mean_strain,
+            mean_strain_about_peak,
+            mean_pressure_about_peak,
+            relief};
 }
 
 std::vector<Measure> rigid_pack_measures() {
-    return {mean_burn_rate_of_all, mean_temperature, relief};
+    return {mean_burn_rate_of_all, regression_rate_of_all, mean_temperature, relief};
 }
 
 std::vector<Measure> sandwich_measures() {
-    return {last_burn_rate,         last_temperature,         last_strain,
-            last_strain_about_peak, last_pressure_about_peak, outward_displacement,
-            height_of_profile};
+    return {last_burn_rate,       last_regression_rate,   last_temperature,
+            last_strain,          last_strain_about_peak, last_pressure_about_peak,
+            outward_displacement, height_of_profile};
 }
 
 std::vector<Measure> rigid_sandwich_measures() {
-    return {last_burn_rate, last_temperature, height_of_profile};
+    return {last_burn_rate, last_regression_rate, last_temperature, height_of_profile};
 }
 
 reports::Measurement measured(const Burn& burn, const std::vector<Measure>& measures) {

@@ -59,13 +59,13 @@ double mean(const std::vector<double>& course);
 double deviation(const std::vector<double>& values);
 
 /// The course's numbers of a burning pack.
-extern const Measure mean_burn_rate_of_all, mean_temperature, mean_strain, mean_strain_about_peak,
-    mean_pressure_about_peak, relief;
+extern const Measure mean_burn_rate_of_all, regression_rate_of_all, mean_temperature, mean_strain,
+    mean_strain_about_peak, mean_pressure_about_peak, relief;
 
 /// The last numbers of a burning sandwich; the profile is as in Fig. 11, above the edge of the
 /// window.
-extern const Measure last_burn_rate, last_temperature, last_strain, last_strain_about_peak,
-    last_pressure_about_peak, outward_displacement, height_of_profile;
+extern const Measure last_burn_rate, last_regression_rate, last_temperature, last_strain,
+    last_strain_about_peak, last_pressure_about_peak, outward_displacement, height_of_profile;
 
 /// Those that are refined, and of packs also spread.
 std::vector<Measure> pack_measures();

@@ -72,7 +72,7 @@ reports::Study in_space() {
 /// every cell's width knows it.
 reports::Study on_clustered_columns() {
     reports::Study study("coupled, in space, clustered columns");
-    study.refines("cells", {16, 32, 64}).covers(terms).measure([](int cells) {
+    study.refines("cells", {24, 48, 96}).covers(terms).measure([](int cells) {
         return run_manufactured({.cells = cells,
                                  .clustering_x = 1.0,
                                  .steps = cells / 8,
@@ -81,7 +81,10 @@ reports::Study on_clustered_columns() {
                                 1.0 / cells);
     });
     for (const Gated& g : gated)
-        study.gate(g.quantity, Norm::L2, expect(2.0).within(0.25), g.reason);
+        study.gate(g.quantity, Norm::L2,
+                   g.quantity == std::string("v") ? expect(2.0).or_better(0.25).scattering(0.5)
+                                                  : expect(2.0).within(0.25),
+                   g.reason);  // v falls by 3.1, then 2.3: what makes its coarse error is gone
     return study;
 }
 
