@@ -97,8 +97,11 @@ ledger: program
 	@if [ $(FIDELITY) = paper ]; then cp $(OUT)/figures/ledger.json results/ledger.json; fi
 
 bench: program
-	@cmake --build --preset release --target bench --parallel $(JOBS)
+	@cmake --build --preset release --target bench bench_with_regions --parallel $(JOBS)
 	@build/tests/bench/bench
+	@for pair in 1 2 3; do for program in bench bench_with_regions; do \
+	  echo "pack, pair $$pair, $$program:"; \
+	  build/tests/bench/$$program --benchmark_filter=solver_pack/cholmod 2>/dev/null | grep solver_pack; done; done
 
 format: tools
 	@clang-format -i $(SOURCES)
