@@ -26,7 +26,7 @@ Scene burning_pack(Fidelity fidelity, const PackBurning& burning) {
         fmt::format("physics.reference_map={}", burning.mechanics)};
     switch (fidelity) {
         case Fidelity::draft:
-            overrides.insert(overrides.end(), {"domain.nx=60", "domain.ny=48", "time.step=100 us",
+            overrides.insert(overrides.end(), {"domain.nx=60", "domain.ny=48", "time.step=50 us",
                                                "time.end=0.081 s"});
             break;
         case Fidelity::paper:
