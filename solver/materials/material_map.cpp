@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/materials/disc_overlap.hpp"
 #include "solver/materials/interface_normal.hpp"
@@ -32,9 +33,9 @@ double snapped(double fraction) {
 
 }  // namespace
 
-MaterialMap::MaterialMap(const Morphology& morphology, const Grid& grid, const Numerics& numerics)
+MaterialMap::MaterialMap(Morphology morphology, const Grid& grid, const Numerics& numerics)
     : grid_(grid),
-      morphology_(morphology),
+      morphology_(std::move(morphology)),
       conductivity_(numerics.cut_cell_conductivity),
       moduli_(numerics.cut_cell_moduli),
       front_(numerics.front),

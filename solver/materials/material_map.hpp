@@ -20,7 +20,7 @@ namespace crawford {
 class MaterialMap {
 public:
     /// \param numerics says how the materials of a cut cell are averaged
-    MaterialMap(const Morphology& morphology, const Grid& grid, const Numerics& numerics = {});
+    MaterialMap(Morphology morphology, const Grid& grid, const Numerics& numerics = {});
 
     /// Recomputes the fractions for a grid that hangs below `surface`.
     /// \param shift xi - (x, y) [m] of each node; ignored where the morphology is fixed in the

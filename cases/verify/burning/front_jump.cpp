@@ -111,13 +111,12 @@ reports::Measurement front(const reference::JumpingRate& given, int cells) {
     const Grid grid({.width = width, .depth = width, .nx = cells, .ny = 2});
     const Morphology sandwich{.shape = Sandwich{given.right - given.left},
                               .materials = {ammonium_perchlorate(), htpb_binder()}};
-    const SurfacePieces pieces = MaterialMap(sandwich, grid).surface_pieces();
-    return compare(grid,
-                   burn(
-                       grid, [&](const SurfaceField&) { return pieces; }, given.outer_rate,
-                       given.strip_rate, duration),
-                   exact, duration);
+    const MaterialMap materials(sandwich, grid);
+    const auto pieces = [&](const SurfaceField&) { return materials.surface_pieces(); };
+    return compare(grid, burn(grid, pieces, given.outer_rate, given.strip_rate, duration), exact,
+                   duration);
 }
+
 /// What a slab between leaning faces covers of the surface, by its images a period apart.
 SurfacePieces leaning_pieces(const Grid& grid, const SurfaceField& surface,
                              const reference::InclinedSlab& slab) {
