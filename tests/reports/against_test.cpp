@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,17 @@ TEST(Against, AnErrorThatTriplesAtTheSameOrderHasGrown) {
     EXPECT_TRUE(found.fell_short());
     EXPECT_NEAR(found.largest_growth, 3.0, 1e-12);
     EXPECT_THAT(text(found), HasSubstr("grown: heat/T, L2"));
+}
+
+TEST(Against, AnErrorThatIsNoNumberAnyMoreHasGrown) {
+    for (const double before : {1.0, 0.0}) {
+        auto sound = of_order("heat"), broken = sound;
+        sound.errors.back() *= before;  // 0: no yardstick for growth, but a number
+        broken.errors.back() = std::numeric_limits<double>::quiet_NaN();
+        const auto found = held({sound}, {broken});
+        EXPECT_EQ(changes(found), std::vector{Change::grown});
+        EXPECT_TRUE(found.fell_short());
+    }
 }
 
 TEST(Against, TheFactorSaysHowMuchIsGrown) {

@@ -75,6 +75,24 @@ Element written(const Verification& v) {
     return document.get_child("testsuites");
 }
 
+TEST(Junit, TellsGatesOfOneQuantityApartByTheirGrids) {
+    Verification v;
+    v.studies.push_back({.name = "heat", .seconds = 1.0});
+    std::vector<Level> levels;
+    for (const int n : {16, 32, 64, 128}) levels.push_back({n, 1.0 / n, 1.0 / (n * n)});
+    for (const int last : {64, 128}) {
+        v.gates.push_back(judge(Gate{"T", Norm::L2, expect(2.0).within(0.1).to(last), "bilinear"},
+                                Convergence(levels), {16, 32, 64, 128}));
+        v.gates.back().study = "heat";
+    }
+    std::vector<std::string> names;
+    for (const auto& [kind, suite] : written(v))
+        for (const auto& [what, test] : suite)
+            if (what == "testcase") names.push_back(test.get<std::string>("<xmlattr>.name"));
+    EXPECT_THAT(names, testing::ElementsAre("T, L2, grids 16 to 64, order 2",
+                                            "T, L2, grids 16 to 128, order 2"));
+}
+
 TEST(Junit, HasASuiteAStudyAndATestAGate) {
     const auto suites = written(some());
     std::vector<std::string> names, tests, failed, skipped;
