@@ -160,7 +160,7 @@ Run run_of(const Readings& of, const Reading& reading) {
 /// Readings are compared on coarse grids with long steps: what they change is far more than what
 /// those do, and there are many.
 Resolution of_pack_readings(Fidelity fidelity) {
-    if (fidelity == Fidelity::draft) return {40, 32, 200 * us, 0.04};
+    if (fidelity == Fidelity::draft) return {40, 32, 100 * us, 0.04};
     return {60, 48, 100 * us, 0.135};
 }
 
