@@ -14,6 +14,10 @@ namespace {
 // Slopes are of order one: a change of slope of 1e-3 between neighbours is smooth.
 constexpr double smooth_slope_squared = 1e-6;
 
+// Where AP comes out under binder the surface is a cliff. A height over columns cannot hold one: a
+// node that it sweeps would fall without bound, and faster on finer grids. It falls as on this slope.
+constexpr double steepest_held = 4.0;
+
 /// A segment as it is met from left to right.
 struct Stretch {
     double slope;
@@ -107,10 +111,10 @@ private:
         return rate_at(stretch(i).left, i) * std::hypot(1.0, running_left(slopes));
     }
     static double running_right(const OwnSlopes& slopes) {
-        return std::max(slopes.left.value_or(0.0), 0.0);
+        return std::clamp(slopes.left.value_or(0.0), 0.0, steepest_held);
     }
     static double running_left(const OwnSlopes& slopes) {
-        return std::max(-slopes.right.value_or(0.0), 0.0);
+        return std::clamp(-slopes.right.value_or(0.0), 0.0, steepest_held);
     }
 
     static double carried_rate(const Vector& v, const OwnSlopes& slopes) {
@@ -152,12 +156,13 @@ private:
         const auto side = [&](int node, double fraction, double distance, double slope,
                               double of_node) {
             const SurfacePlace place{i, right, 0.5 * (of_right + of_node)};
-            return Side{node,
-                        fraction,
-                        distance,
-                        slope,
-                        surface_[size_t(node)] + distance * slope,
-                        rate_(fraction, place) * std::hypot(1.0, std::max(slope, 0.0))};
+            return Side{
+                node,
+                fraction,
+                distance,
+                slope,
+                surface_[size_t(node)] + distance * slope,
+                rate_(fraction, place) * std::hypot(1.0, std::clamp(slope, 0.0, steepest_held))};
         };
         return {side(i, pieces.front().fraction, crossing * grid_.dx(i),
                      own_slopes(i).left.value_or(0.0), 0.0),
@@ -187,7 +192,8 @@ private:
         const double plane = leader.height - sinks * dt + distance * *slope;
         // Under a face that leans over it the leader comes out at the foot of a cliff. No node falls
         // faster than a slope of this height swept along at the leader's speed.
-        const double fastest = speed * (1.0 + std::abs(grid_.slope(surface_, i)));
+        const double fastest =
+            speed * (1.0 + std::min(std::abs(grid_.slope(surface_, i)), steepest_held));
         const double falls = std::min((surface_[dragged] - plane) / dt, fastest);
         rate[dragged] = std::min(rate[dragged], carried[lead] - falls);
     }
