@@ -52,13 +52,14 @@ Columns clustered_half(const Domain& d, double interface) {
         half.x.push_back(x);
         half.metric.push_back(metric);
     };
+    const Part inner = strip(best), around = outer(best);
     for (int k = 0; k < best; ++k) {
         const double s = 0.5 + 0.5 * k / best;
-        add(strip(best).place(s) - interface, strip(best).metric(s));
+        add(inner.place(s) - interface, inner.metric(s));
     }
     for (int k = 0; k <= cells - best; ++k) {
         const double s = 0.5 * k / (cells - best);
-        add(interface + outer(best).place(s), outer(best).metric(s));
+        add(interface + around.place(s), around.metric(s));
     }
     half.x.front() = 0.0;
     half.x[size_t(best)] = interface;

@@ -22,7 +22,8 @@ struct State {
     std::shared_ptr<const State> previous;
 };
 
-/// Cold, at rest and unstressed below a level surface or the scene's ripple, with the fields that the scene asks for and no others.
+/// Cold, at rest and unstressed below a level surface or the scene's ripple, with the fields that
+/// the scene asks for and no others.
 State initial_state(const Scene& scene, const Grid& grid);
 
 /// Whether the fields of both have the same sizes.

@@ -25,7 +25,7 @@
 #include "cases/registry.hpp"
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
-#include "cases/verify/ssp_step.hpp"
+#include "cases/verify/burning/burn_surface.hpp"
 #include "reference/jumping_front.hpp"
 #include "reference/refracted_front.hpp"
 #include "solver/burning/surface_motion.hpp"
@@ -66,19 +66,10 @@ SurfaceField burn(const Grid& grid, const PiecesOf& pieces, double outer_rate, d
         return fraction == 1.0 ? outer_rate : strip_rate;
     };
     const int steps = int(std::ceil(2.5 * duration * fast / grid.dx()));
-    const double dt = duration / steps;
-    const auto blend = [](double a, const SurfaceField& x, double b, const SurfaceField& y) {
-        SurfaceField sum(x.size());
-        std::ranges::transform(x, y, sum.begin(),
-                               [&](double p, double q) { return a * p + b * q; });
-        return sum;
-    };
-    const auto euler = [&](const SurfaceField& phi) {
-        return blend(1.0, phi, dt, surface_rate(grid, phi, pieces(phi), rate, {}, dt));
-    };
-    SurfaceField surface(size_t(grid.node_columns()), 0.0);
-    for (int n = 0; n < steps; ++n) surface = ssp_step(surface, euler, blend);
-    return surface;
+    return burn_surface(SurfaceField(size_t(grid.node_columns()), 0.0), duration, steps,
+                        [&](const SurfaceField& phi, double dt) {
+                            return surface_rate(grid, phi, pieces(phi), rate, {}, dt);
+                        });
 }
 
 double distance_to(const std::vector<double>& kinks, double x) {

@@ -28,7 +28,7 @@
 #include "cases/registry.hpp"
 #include "cases/terms.hpp"
 #include "cases/units.hpp"
-#include "cases/verify/ssp_step.hpp"
+#include "cases/verify/burning/burn_surface.hpp"
 #include "reference/regressing_front.hpp"
 #include "solver/burning/burn_rate.hpp"
 #include "solver/burning/surface_motion.hpp"
@@ -102,18 +102,9 @@ SurfaceField burn(const Grid& grid, SurfaceField surface, double duration, const
     const SurfaceField rates(surface.size(), burn_rate);
     const std::vector<Vector> material(velocity.isZero() ? 0 : surface.size(), velocity);
     const int steps = int(std::ceil(2.5 * duration * burn_rate / grid.dx()));
-    const double dt = duration / steps;
-    const auto blend = [](double a, const SurfaceField& x, double b, const SurfaceField& y) {
-        SurfaceField sum(x.size());
-        std::ranges::transform(x, y, sum.begin(),
-                               [&](double p, double q) { return a * p + b * q; });
-        return sum;
-    };
-    const auto euler = [&](const SurfaceField& phi) {
-        return blend(1.0, phi, dt, surface_rate(grid, phi, rates, material));
-    };
-    for (int n = 0; n < steps; ++n) surface = ssp_step(surface, euler, blend);
-    return surface;
+    return burn_surface(std::move(surface), duration, steps, [&](const SurfaceField& phi, double) {
+        return surface_rate(grid, phi, rates, material);
+    });
 }
 
 /// A wave at `part` of its time to the kink; beyond 1 it is after it.
