@@ -20,6 +20,10 @@ struct StateField {
     Member of;                       ///< of a State, the field
 };
 
+// Written out because clang deduces no aggregate's arguments before version 17 (P1816).
+template <class Member>
+StateField(const char*, const char*, Place, bool (*)(const Physics&), Member) -> StateField<Member>;
+
 inline constexpr std::tuple state_fields{
     StateField{"surface", "m", Place::node_column, [](const Physics&) { return true; },
                [](auto& state) -> decltype(auto) { return (state.surface); }},
