@@ -131,7 +131,10 @@ void add_capacity(Outcome& outcome) {
     const reference::Material m = reference::binder();
     reports::Column t{"T", "K", {}}, c_p{"c_p", "J/(kg K)", {}}, c_v{"c_v", "J/(kg K)", {}},
         as_read{"c_p and stress work", "J/(kg K)", {}};
-    for (double at = cold; at <= 970.0; at += 10.0) {
+    constexpr double spacing = 10.0;
+    constexpr int count = 68;  // up to 970 K
+    for (int i = 0; i < count; ++i) {
+        const double at = cold + i * spacing;
         const double rise = expansion(m) * at / m.density;
         t.values.push_back(at);
         c_p.values.push_back(m.specific_heat);

@@ -181,15 +181,9 @@ private:
         const double speed = std::max(fall[lead], leader.fall);
         rate[lead] = std::min(rate[lead], carried[lead] - speed);
 
-        // The crossing goes down the interface: x_c' = lean y_c', y_c' = phi_t + phi_x x_c'.
-        const double lean = (from_left ? 1.0 : -1.0) * pieces_[size_t(i)].front().lean;
-        const double sinks = speed / (1.0 - lean * leader.slope);
-        const double comes = -lean * sinks;
-        const auto slope = dragged_slope(sinks, comes, rate_at(other.fraction, other.node));
+        const auto slope = dragged_slope(speed, rate_at(other.fraction, other.node));
         if (!slope) return;
-        // Where the plane then is; a crossing that passes the node meanwhile takes it along.
-        const double distance = std::max(other.distance - comes * dt, 0.0);
-        const double plane = leader.height - sinks * dt + distance * *slope;
+        const double plane = leader.height - speed * dt + other.distance * *slope;
         // Under a face that leans over it the leader comes out at the foot of a cliff. No node falls
         // faster than a slope of this height swept along at the leader's speed.
         const double fastest =
@@ -198,13 +192,11 @@ private:
         rate[dragged] = std::min(rate[dragged], carried[lead] - falls);
     }
 
-    /// Slope p of the plane that a crossing draws behind it through material that burns at r, up
-    /// from the crossing, while this sinks at V and comes at u:
-    ///     V + p u = r sqrt(1 + p^2);
-    /// none where the material burns as fast by itself, or the crossing comes too fast to draw one.
-    static std::optional<double> dragged_slope(double v, double u, double r) {
-        if (v <= r || u >= r) return std::nullopt;
-        return (v * v - r * r) / (r * std::sqrt(v * v + u * u - r * r) - v * u);
+    /// Slope of the plane that a crossing which sinks at v draws behind it through material that
+    /// burns at r: v = r sqrt(1 + p^2); none where that burns as fast by itself.
+    static std::optional<double> dragged_slope(double v, double r) {
+        if (v <= r) return std::nullopt;
+        return std::sqrt((v / r) * (v / r) - 1.0);
     }
 
     const Grid& grid_;

@@ -20,11 +20,6 @@ std::optional<Covered> within_segment(double from, double to) {
     return inside.to > inside.from ? std::optional(inside) : std::nullopt;
 }
 
-/// dx/dy along a circle about the origin.
-double tangent(const Vector& at) {
-    return -at.y() / at.x();
-}
-
 }  // namespace
 
 std::optional<Covered> covered_by_disc(const Segment& segment, double radius) {
@@ -35,11 +30,7 @@ std::optional<Covered> covered_by_disc(const Segment& segment, double radius) {
     const double discriminant = b * b - a * (p.squaredNorm() - radius * radius);
     if (discriminant <= 0.0) return std::nullopt;
     const double root = std::sqrt(discriminant);
-    auto covered = within_segment((-b - root) / a, (-b + root) / a);
-    if (!covered) return std::nullopt;
-    covered->lean_from = tangent(p + covered->from * along);
-    covered->lean_to = tangent(p + covered->to * along);
-    return covered;
+    return within_segment((-b - root) / a, (-b + root) / a);
 }
 
 std::optional<Covered> covered_by_strip(const Segment& segment, double half_width) {
@@ -73,19 +64,18 @@ SegmentPieces pieces_of(std::vector<Covered> covered, double fraction,
                         const Conductivities& conductivity) {
     std::ranges::sort(covered, {}, &Covered::from);
     SegmentPieces pieces;
-    const auto add = [&](double to, double what, double lean) {
+    const auto add = [&](double to, double what) {
         const double from = pieces.empty() ? 0.0 : pieces.back().to;
         if (!(to > from)) return;
         if (pieces.empty() || pieces.back().fraction != what)
             pieces.push_back({.from = from, .to = to, .fraction = what});
         pieces.back().to = to;
-        pieces.back().lean = lean;
     };
     for (const Covered& part : covered) {
-        add(snapped(part.from), 1.0 - fraction, part.lean_from);
-        add(snapped(part.to), fraction, part.lean_to);
+        add(snapped(part.from), 1.0 - fraction);
+        add(snapped(part.to), fraction);
     }
-    add(1.0, 1.0 - fraction, 0.0);
+    add(1.0, 1.0 - fraction);
     if (pieces.size() > 1) find_temperatures(pieces, fraction, conductivity);
     return pieces;
 }

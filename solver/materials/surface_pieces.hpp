@@ -17,8 +17,6 @@ struct SurfacePiece {
     /// How much of the temperature in the middle and at the end is that of the right node; the rest
     /// is that of the left one. The pieces conduct in series, so it is no straight line.
     double right_in_middle = 0.5, right_at_end = 1.0;
-
-    double lean = 0.0;  ///< dx/dy of the interface at its end
 };
 
 /// The pieces of one segment, from left to right; together they are the whole of it.
@@ -30,7 +28,6 @@ using SurfacePieces = std::vector<SegmentPieces>;
 /// The part of a segment that something covers.
 struct Covered {
     double from, to;
-    double lean_from = 0.0, lean_to = 0.0;  ///< dx/dy of the interfaces there
 };
 
 /// Its two ends [m].
