@@ -1,5 +1,7 @@
 #include "cases/verify/heat/heated_laminate.hpp"
 
+#include <cmath>
+
 #include "cases/units.hpp"
 
 namespace crawford {
@@ -9,7 +11,9 @@ using reference::TwoConductors;
 Material conductor(double conductivity, double capacity) {
     Material material = ammonium_perchlorate();
     material.thermal_conductivity = conductivity;
-    material.specific_heat = capacity / material.density;
+    const double share = capacity / (material.density * material.specific_heat);
+    material.density *= std::sqrt(share);
+    material.specific_heat *= std::sqrt(share);
     return material;
 }
 

@@ -6,7 +6,8 @@
 
 namespace crawford {
 
-/// Any material that conducts and stores heat so; capacity is rho c [J/(m^3 K)].
+/// Any material that conducts and stores heat so; capacity is rho c [J/(m^3 K)]. Both rho and c differ
+/// from material to material: the mean of a product is not the product of means.
 Material conductor(double conductivity, double capacity);
 
 /// AP around a strip of binder a quarter of the period wide, in a window as deep as wide.
