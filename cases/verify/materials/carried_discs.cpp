@@ -29,9 +29,10 @@ constexpr double width = 240.0 * um;
 constexpr double strip = 63.1 * um;
 constexpr double pi = std::numbers::pi;
 
-/// Both whole in the window, also when the waves have moved them, and on no grid line.
+/// On no grid line; one lies across a side. Both are whole in the window and its images, also when the
+/// waves have moved them.
 const Discs discs{
-    .discs = {{21.3 * um, -90.1 * um, 50.2 * um}, {-70.7 * um, -170.9 * um, 31.4 * um}},
+    .discs = {{91.3 * um, -90.1 * um, 50.2 * um}, {-70.7 * um, -170.9 * um, 31.4 * um}},
     .period = 2.0 * width};
 
 MaterialMap map_of(const Shape& shape, const Grid& grid,

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/errors.hpp"
 #include "solver/run/loop.hpp"
 #include "tests/solver/scenes.hpp"
@@ -15,6 +18,15 @@ void expect_identical(const State& a, const State& b) {
     EXPECT_EQ(a.stress.pressure.values(), b.stress.pressure.values());
     EXPECT_EQ(a.velocity.values(), b.velocity.values());
     EXPECT_EQ(a.reference_shift.values(), b.reference_shift.values());
+}
+
+/// In series, of what each cell holds now.
+CellField shear_modulus(const Simulation& simulation) {
+    const auto& materials = simulation.scene().morphology.materials;
+    CellField mu = simulation.material_fraction();
+    for (double& f : mu.values())
+        f = 1.0 / (f / materials[0].shear_modulus + (1.0 - f) / materials[1].shear_modulus);
+    return mu;
 }
 
 TEST(Simulation, GoesOnFromAStateBitForBit) {
@@ -45,6 +57,33 @@ TEST(Simulation, GoesOnBitForBitWhereTheStepLooksBack) {
         run_steps(restarted, 1);
     }
     expect_identical(unbroken.state(), restarted.state());
+}
+
+/// What it looks back at is as soft as the material has become since, or the difference of the two
+/// would take off what a softened cell still holds.
+TEST(Simulation, RemembersStressInTheMaterialOfNow) {
+    Scene scene = testing::sandwich(16, 24);
+    scene.morphology.shape = Discs{.discs = {{1e-6, 0.0, 60e-6}}, .period = 1.0};
+    scene.physics.regression = Regression::fixed;
+    scene.surface.burn_rate = 0.5e-2;
+    scene.surface.pressure = 2e6;
+    scene.time.scheme = Stepping::bdf2;
+    scene.time.step = 100e-6;
+    Simulation simulation(scene);
+    run_steps(simulation, 10);
+    const StressField before = simulation.state().stress;
+    const CellField was = shear_modulus(simulation);
+    run_steps(simulation, 1);
+    const CellField is = shear_modulus(simulation);
+    const StressField& remembered = simulation.state().previous->stress;
+    int softer = 0;
+    for (size_t k = 0; k < is.values().size(); ++k) {
+        const double ratio = std::min(is.values()[k] / was.values()[k], 1.0);
+        softer += ratio < 0.99 ? 1 : 0;
+        const double held = before.deviator[0].values()[k].s22;
+        EXPECT_NEAR(remembered.deviator[0].values()[k].s22, ratio * held, 1e-9 * std::abs(held));
+    }
+    EXPECT_GT(softer, 5) << "or nothing was shown";
 }
 
 TEST(Simulation, WithOneStepRefusesAStateThatLooksBack) {
