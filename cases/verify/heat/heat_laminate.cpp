@@ -15,10 +15,6 @@
 /// k1 k2), f the heat that crosses: first order in h. (The strip is made wider by one cell of each
 /// grid, so that its edges lie in the middle of a cell on all of them.) What other means do is
 /// told by cut-cells.
-///
-/// What a cut cell stores is the mean of rho c by area, whichever of the two factors differs: where
-/// only the capacity jumps, 10 : 1 here and by its root in rho and in c, the order stays two with
-/// the interface anywhere.
 
 #include "cases/registry.hpp"
 #include "cases/terms.hpp"
@@ -96,27 +92,12 @@ reports::Study cut(const TwoConductors& solid) {
     return study;
 }
 
-reports::Study cut_capacity(const TwoConductors& solid) {
-    reports::Study study("heat-laminate, capacity that jumps inside a cell");
-    study.refines("cells", {32, 64, 128, 256})
-        .measure([=](int cells) {
-            return error_of_temperature(
-                advance(heated_laminate(widened(solid, cells), cells), cells / 8), 1.0 / cells);
-        })
-        .covers({term::heat_interface, term::heat_storage})
-        .gate(
-            "T", Norm::L2, expect(2.0).within(0.1).from(64),
-            "T has no kink, and a cell's heat is right: mean rho times mean c would leave order 1");
-    return study;
-}
-
 std::vector<reports::Study> studies() {
     return {study("AP and binder", propellant_in_heat()),
             study("conductivity 1e-3", conductors(1e-3, 1.0)),
             study("capacity 1e3", conductors(1.0, 1e3)),
             study("conductivity and capacity 1e-3", conductors(1e-3, 1e-3)),
-            cut(conductors(0.2, 1.0)),
-            cut_capacity(conductors(1.0, 10.0))};
+            cut(conductors(0.2, 1.0))};
 }
 
 const Registered here{{.name = "heat-laminate",
