@@ -124,17 +124,19 @@ Outcome fig06(const Request& request) {
 }
 
 ledger::Rows claims(const ledger::Evidence& evidence) {
+    const OrderSet q1{"q1", "q1 element"};
+    const OrderSet bbar{"bbar", "B-bar element"};
     // An order is read to about a tenth: what one grid more or less changes.
     return {judged_order(evidence,
                          {"order of stress, cold sandwich (mean of four)", "Fig. 6a", "fig06", "-",
                           "approximately 1.5", 1.5, 0.15},
-                         stress_names, "q1", "bbar"),
+                         stress_names, q1, bbar),
             judged_order(evidence,
                          {"order of u, cold sandwich", "Fig. 6b", "fig06", "-", "1.90", 1.9, 0.1},
-                         {"u"}, "q1", "bbar"),
+                         {"u"}, q1, bbar),
             judged_order(evidence,
                          {"order of v, cold sandwich", "Fig. 6b", "fig06", "-", "1.35", 1.35, 0.1},
-                         {"v"}, "q1", "bbar")};
+                         {"v"}, q1, bbar)};
 }
 
 const Registered here{{.name = "fig06",

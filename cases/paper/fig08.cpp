@@ -74,7 +74,7 @@ const Registered here{
      .physics = {physics::heat, physics::burning, physics::grid, physics::sandwich},
      .cost = {.draft = 8.0, .paper = 370.0},
      .draw = fig08,
-     .burns = refined_scenes}};
+     .burns = [](Fidelity fidelity) { return refined_scenes(fidelity); }}};
 
 }  // namespace
 

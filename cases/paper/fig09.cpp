@@ -9,6 +9,10 @@
 /// whatever the notch at the interface touches have less (cases "sandwich-orders" and
 /// "sandwich-refinement"). Points are compared at equal x and depth below the surface, so that a
 /// difference in how far the surface has burnt is part of that of the reference map.
+///
+/// In a to c each side of an interface burns as itself; in d to f a node between two materials burns
+/// with the mean of their rates, as the paper's marker suggests (`numerics.front`). There the
+/// interface lags on every grid, by less on each finer one, and all fields lag with it.
 
 #include <array>
 #include <string>
@@ -53,24 +57,39 @@ Refinement::Fields fields(const Snapshot& last) {
     return fields;
 }
 
+struct OfFront {
+    Front front;
+    OrderSet set;
+};
+const std::vector<OfFront> fronts{
+    {Front::faster_side, {"sandwich", ""}},
+    {Front::mean_of_materials, {"mean", "the mean of the rates where materials meet"}}};
+
 Outcome fig09(const Request& request) {
-    const auto burns = refined_sandwich(request);
     Outcome outcome{reports::Figure("fig09", request.out), {}, {}};
-    Refinement refinement(quantities(), burns.front()->scene.domain.width);
-    for (const auto& burn : burns) {
-        refinement.add_grid(burn->scene.domain.nx, fields(burn->last));
-        outcome.scenes.push_back(burn->scene);
+    std::string grids, step;
+    for (const auto& [front, set] : fronts) {
+        const auto burns = refined_sandwich(request, front);
+        Refinement refinement(quantities(), burns.front()->scene.domain.width);
+        for (const auto& burn : burns) {
+            refinement.add_grid(burn->scene.domain.nx, fields(burn->last));
+            outcome.scenes.push_back(burn->scene);
+        }
+        refinement.report(outcome, set.name);
+        grids = grids_text(burns);
+        step = step_text(burns.back()->scene);
     }
-    refinement.report(outcome, "sandwich");
-    outcome.figure
-        .caption({.grid = grids_text(burns),
-                  .step = step_text(burns.back()->scene),
-                  .revision = revision(),
-                  .note = "the paper prints order 1"})
-        .panel("a")
-        .panel("b")
-        .panel("c");
+    outcome.figure.caption(
+        {.grid = grids, .step = step, .revision = revision(), .note = "the paper prints order 1"});
+    for (const char* panel : {"a", "b", "c", "d", "e", "f"}) outcome.figure.panel(panel);
     return outcome;
+}
+
+std::vector<Scene> burns(Fidelity fidelity) {
+    std::vector<Scene> all;
+    for (const OfFront& of : fronts)
+        for (Scene& scene : refined_scenes(fidelity, of.front)) all.push_back(std::move(scene));
+    return all;
 }
 
 ledger::Rows claims(const ledger::Evidence& evidence) {
@@ -78,7 +97,7 @@ ledger::Rows claims(const ledger::Evidence& evidence) {
     const auto first_order = [&](const std::string& claim, const std::string& where,
                                  const std::vector<std::string>& quantities) {
         return judged_order(evidence, {claim, where, "fig09", "-", "first order", 1.0, 0.25},
-                            quantities, "sandwich");
+                            quantities, fronts[0].set, fronts[1].set);
     };
     return {first_order("order of stress in dx, burning sandwich", "Fig. 9a", stress_names),
             first_order("order of velocity in dx, burning sandwich", "Fig. 9b", {"u", "v"}),
@@ -91,9 +110,9 @@ const Registered here{
      .figure = "Fig. 9",
      .shows = "burning sandwich: errors against the width of a column",
      .physics = {physics::stress, physics::reference_map, physics::grid, physics::sandwich},
-     .cost = {.draft = 8.0, .paper = 370.0},
+     .cost = {.draft = 12.0, .paper = 740.0},
      .draw = fig09,
-     .burns = refined_scenes,
+     .burns = burns,
      .claims = claims}};
 
 }  // namespace

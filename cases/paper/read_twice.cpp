@@ -46,29 +46,26 @@ std::string order_from_differences(const std::string& set, const std::string& qu
 }
 
 reports::LedgerRow judged_order(const ledger::Evidence& evidence, const reports::Claim& claim,
-                                const std::vector<std::string>& quantities, const std::string& set,
-                                const std::string& other_set) {
+                                const std::vector<std::string>& quantities, const OrderSet& set,
+                                const OrderSet& other) {
     const auto found = evidence.findings_of(claim.entry);
-    const auto mean = [&](const std::string& of, auto name) {
+    const auto mean = [&](const OrderSet& of, auto name) {
         double sum = 0.0;
-        for (const std::string& quantity : quantities) sum += found(name(of, quantity));
+        for (const std::string& quantity : quantities) sum += found(name(of.name, quantity));
         return sum / double(quantities.size());
     };
-    std::vector<reports::OtherReading> others;
-    std::string because =
-        fmt::format("From successive differences {:.2f}", mean(set, order_from_differences));
-    if (!other_set.empty()) {
-        others.push_back({"B-bar element", mean(other_set, order_in_papers_way)});
-        because +=
-            fmt::format("; with the B-bar element {:.2f}, {:.2f} from successive differences",
-                        others.back().value, mean(other_set, order_from_differences));
-    }
+    const double papers_way = mean(other, order_in_papers_way);
+    const std::string because = fmt::format(
+        "From successive differences {:.2f}; with {} {:.2f}, {:.2f} from successive differences. "
+        "The paper's way always reads too high.",
+        mean(set, order_from_differences), other.with, papers_way,
+        mean(other, order_from_differences));
+    const std::string with = set.with.empty() ? "" : ", " + set.with;
     return reports::judged(claim, {mean(set, order_in_papers_way),
                                    {},
-                                   "the paper's way: the finest grid stands for the truth" +
-                                       std::string(set == "q1" ? ", q1 element" : ""),
-                                   others,
-                                   because + ". The paper's way always reads too high.",
+                                   "the paper's way: the finest grid stands for the truth" + with,
+                                   {{other.with, papers_way}},
+                                   because,
                                    "{:.2f}"});
 }
 

@@ -28,11 +28,15 @@ double distance(const Lattice<double>& coarse, const Lattice<double>& fine, bool
 std::string order_in_papers_way(const std::string& set, const std::string& quantity);
 std::string order_from_differences(const std::string& set, const std::string& quantity);
 
-/// The paper's order of some quantities (their mean) beside ours of a set; `other_set` is empty or
-/// that of the B-bar element.
+/// A set of grids and what it was burnt with, in words; empty where that is the default.
+struct OrderSet {
+    std::string name, with;
+};
+
+/// The paper's order of some quantities (their mean) beside ours of a set and of another.
 reports::LedgerRow judged_order(const ledger::Evidence& evidence, const reports::Claim& claim,
-                                const std::vector<std::string>& quantities, const std::string& set,
-                                const std::string& other_set = {});
+                                const std::vector<std::string>& quantities, const OrderSet& set,
+                                const OrderSet& other);
 
 /// The four of plane strain, as claims on the order of stress take their mean.
 inline const std::vector<std::string> stress_names = {"sigma_11", "sigma_22", "sigma_33", "tau"};

@@ -19,19 +19,20 @@ std::vector<int> columns(Fidelity fidelity) {
 
 }  // namespace
 
-std::vector<Scene> refined_scenes(Fidelity fidelity) {
+std::vector<Scene> refined_scenes(Fidelity fidelity, Front front) {
     std::vector<Scene> scenes;
     for (const int nx : columns(fidelity)) {
         Scene& scene = scenes.emplace_back(burning_sandwich(fidelity, true));
         scene.domain.nx = nx;
+        scene.numerics.front = front;
         if (fidelity == Fidelity::draft) scene.time.end = 0.04;
     }
     return scenes;
 }
 
-std::vector<std::shared_ptr<const Burn>> refined_sandwich(const Request& request) {
+std::vector<std::shared_ptr<const Burn>> refined_sandwich(const Request& request, Front front) {
     std::vector<std::shared_ptr<const Burn>> burns;
-    for (const Scene& scene : refined_scenes(request.fidelity))
+    for (const Scene& scene : refined_scenes(request.fidelity, front))
         burns.push_back(kept_burn(scene, request));
     return burns;
 }
