@@ -87,8 +87,7 @@ std::vector<double> JumpingFront::kinks(double t) const {
         x = rate_.left + std::fmod(from_left, rate_.width);
     }
     std::ranges::sort(at);
-    const auto twice = std::ranges::unique(at);
-    at.erase(twice.begin(), twice.end());
+    at.erase(std::unique(at.begin(), at.end()), at.end());
     return at;
 }
 

@@ -108,7 +108,7 @@ std::string discs(double radius) {
 
 Outcome fig12(const Request& request) {
     const Scene scene = pack(request.fidelity);
-    const Discs& discs = std::get<Discs>(scene.morphology.shape);
+    const auto& discs = std::get<Discs>(scene.morphology.shape);
     const double width = scene.domain.width;
     double area = 0.0;
     std::map<double, int, std::greater<>> sizes;

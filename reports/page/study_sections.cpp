@@ -17,7 +17,8 @@ std::vector<std::size_t> indices_of(const Verification& v, const std::string& st
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < v.gates.size(); ++i)
         if (v.gates[i].study == study) indices.push_back(i);
-    std::ranges::stable_partition(indices, [&](std::size_t i) { return v.gates[i].fell_short(); });
+    std::stable_partition(indices.begin(), indices.end(),
+                          [&](std::size_t i) { return v.gates[i].fell_short(); });
     return indices;
 }
 
@@ -55,7 +56,8 @@ Html entry_section(const Verification& v, const std::string& entry) {
 Html study_sections(const Verification& v) {
     Html html;
     auto entries = entries_of(v);
-    std::ranges::stable_partition(entries, [&](const auto& entry) { return fell_short(v, entry); });
+    std::stable_partition(entries.begin(), entries.end(),
+                          [&](const auto& entry) { return fell_short(v, entry); });
     for (const auto& entry : entries) html += entry_section(v, entry);
     return html;
 }

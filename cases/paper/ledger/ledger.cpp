@@ -29,8 +29,8 @@ std::vector<const Entry*> claiming_cases() {
     std::vector<const Entry*> cases;
     for (const Entry& entry : catalogue())
         if (entry.claims) cases.push_back(&entry);
-    std::ranges::stable_partition(
-        cases, [](const Entry* entry) { return entry->figure.starts_with("Table"); });
+    std::stable_partition(cases.begin(), cases.end(),
+                          [](const Entry* entry) { return entry->figure.starts_with("Table"); });
     return cases;
 }
 

@@ -47,10 +47,6 @@ Grid square(int cells) {
     return Grid({.width = width, .depth = width, .nx = cells, .ny = cells, .clustering = 1.0});
 }
 
-SurfaceField level(const Grid& grid) {
-    return SurfaceField(size_t(grid.node_columns()), 0.0);
-}
-
 /// Where material came from, less where it is [m].
 template <class Shift>
 NodeVectors shifts(const Grid& grid, const Shift& shift) {
@@ -70,7 +66,8 @@ double moved_as_a_whole(int cells, const Vector& shift) {
     }
     MaterialMap truth = map_of(moved, grid, Indicator::laboratory);
     MaterialMap carried = map_of(discs, grid);
-    carried.follow(level(grid), shifts(grid, [&](const Vector&) { return shift; }));
+    const SurfaceField level(size_t(grid.node_columns()), 0.0);
+    carried.follow(level, shifts(grid, [&](const Vector&) { return shift; }));
     double largest = 0.0;
     for (size_t k = 0; k < truth.fraction().values().size(); ++k)
         largest = std::max(largest,
@@ -93,7 +90,8 @@ double covered(double from, double to, double centre) {
 double strip_moved_as_a_whole(int cells, const Vector& shift) {
     const Grid grid = square(cells);
     MaterialMap carried = map_of(Sandwich{strip}, grid);
-    carried.follow(level(grid), shifts(grid, [&](const Vector&) { return shift; }));
+    const SurfaceField level(size_t(grid.node_columns()), 0.0);
+    carried.follow(level, shifts(grid, [&](const Vector&) { return shift; }));
     double largest = 0.0;
     for (int i = 0; i < cells; ++i)
         largest =
@@ -113,7 +111,8 @@ Vector wave(const Vector& at) {
 Comparison area_of_disc(int cells) {
     const Grid grid = square(cells);
     MaterialMap carried = map_of(discs, grid);
-    carried.follow(level(grid), shifts(grid, wave));
+    const SurfaceField level(size_t(grid.node_columns()), 0.0);
+    carried.follow(level, shifts(grid, wave));
     double found = 0.0;
     for (int i = 0; i < cells; ++i)
         for (int j = 0; j < cells; ++j)

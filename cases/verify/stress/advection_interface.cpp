@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cases/registry.hpp"
 #include "cases/terms.hpp"
@@ -46,8 +47,8 @@ Scene sandwich(int cells, Element element) {
 /// A solid that moves along the rows while its surface falls, and the stress step that carries it.
 class Body {
 public:
-    explicit Body(const Scene& scene)
-        : scene_(scene),
+    explicit Body(Scene scene)
+        : scene_(std::move(scene)),
           grid_(scene_.domain),
           materials_(scene_.morphology, grid_),
           checkerboard_(grid_, materials_, scene_.numerics.element),
