@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/atomic_file.hpp"
+#include "reports/json_problem.hpp"
 #include "reports/ledger_json.hpp"
 
 namespace crawford::reports {
@@ -46,7 +47,8 @@ Ledger read_ledger(const std::filesystem::path& file) {
     } catch (const std::runtime_error& problem) {
         throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
     } catch (const Json::exception& problem) {
-        throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
+        throw std::runtime_error(
+            fmt::format("{}: {}", file.string(), json_problem(problem.what())));
     }
 }
 

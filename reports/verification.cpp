@@ -10,6 +10,7 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "reports/gate_json.hpp"
+#include "reports/json_problem.hpp"
 #include "reports/judgement.hpp"
 
 namespace crawford::reports {
@@ -97,7 +98,8 @@ Verification read_verification(const std::filesystem::path& file) {
         v.manifest = document.dump();
         return v;
     } catch (const Json::exception& problem) {
-        throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
+        throw std::runtime_error(
+            fmt::format("{}: {}", file.string(), json_problem(problem.what())));
     }
 }
 
@@ -108,8 +110,8 @@ std::vector<GateResult> read_gates(const std::filesystem::path& file) {
     try {
         return Json::parse(in).at("gates").get<std::vector<GateResult>>();
     } catch (const Json::exception& problem) {
-        throw InputError(
-            fmt::format("{} is no verify.json of crawford: {}", file.string(), problem.what()));
+        throw InputError(fmt::format("{} is no verify.json of crawford: {}", file.string(),
+                                     json_problem(problem.what())));
     }
 }
 

@@ -207,5 +207,19 @@ TEST(Against, NullIsNullInAFile) {
     EXPECT_THROW(read_gates(file), InputError);
 }
 
+TEST(Against, SaysInPlainWordsWhatIsNoReport) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "no_report.json";
+    std::ofstream(file) << R"({"a": 1})";
+    try {
+        read_gates(file);
+        FAIL() << "taken";
+    } catch (const InputError& problem) {
+        const std::string what = problem.what();
+        EXPECT_NE(what.find("is no verify.json of crawford: key 'gates' not found"),
+                  std::string::npos)
+            << what;
+    }
+}
+
 }  // namespace
 }  // namespace crawford::reports
