@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/guards/guard.hpp"
+
 namespace crawford {
 
 struct Manifest {
@@ -19,6 +21,8 @@ struct Manifest {
     long first_step = 0;
     long last_step = 0;
     double time = 0.0;  ///< reached [s]
+    Guards predicted;   ///< from the scene, before
+    Guards met;         ///< the worst of the run so far
     std::chrono::system_clock::time_point started;
     std::chrono::system_clock::time_point ended;
 };

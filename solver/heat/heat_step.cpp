@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "solver/heat/coupling_number.hpp"
 #include "solver/heat/line_relaxation.hpp"
 #include "solver/mesh/node_lengths.hpp"
 
@@ -54,6 +55,7 @@ HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& mate
       source_(sources.heat),
       flux_source_(sources.heat_flux),
       numerics_(scene.numerics),
+      scheme_(scene.time.scheme),
       deforms_(scene.physics.mechanics),
       stiffest_rate_(stiffest_rate(grid, materials)),
       transport_(grid),
@@ -117,22 +119,34 @@ double HeatStep::adiabatic_capacity(int i, int j, double temperature) const {
     return beta * beta * temperature / materials_.bulk_modulus(i, j);
 }
 
-/// Lagged, the stress work of one step answers that of the last with the factor -g, g = T
-/// beta^2/(rho c P): beyond g = 1 it alternates and grows, whatever the step.
+/// Beyond its limit the stress work alternates from step to step and grows, however small the step.
 void HeatStep::check_coupling(int i, int j, double heat_capacity, double temperature) const {
-    const double beta = materials_.thermal_stress(i, j, numerics_.stress_work);
-    const double confined =
-        materials_.bulk_modulus(i, j) + 4.0 / 3.0 * materials_.shear_modulus(i, j);
-    const double coupling = temperature * beta * beta / (heat_capacity * confined);
-    if (coupling < 1.0) return;
-    throw NumericalFailure(
-        {.kind = FailureFields::Kind::beyond_limit,
-         .module = "heat",
-         .quantity = "coupling number g",
-         .value = coupling,
-         .limit = FailureLimit{.value = 1.0, .condition = "for numerics.coupling = \"lagged\""},
-         .place = FailurePlace{"cell", i, j},
-         .advice = "take \"adiabatic\""});
+    const auto fail = [&](const char* quantity, double value, FailureLimit limit,
+                          std::string advice) {
+        throw NumericalFailure({.kind = FailureFields::Kind::beyond_limit,
+                                .module = "heat",
+                                .quantity = quantity,
+                                .value = value,
+                                .limit = std::move(limit),
+                                .place = FailurePlace{"cell", i, j},
+                                .advice = std::move(advice)});
+    };
+    const std::string condition = coupling_condition(numerics_.coupling, scheme_);
+    const CoupledSolid solid{
+        .heat_capacity = heat_capacity,
+        .bulk_modulus = materials_.bulk_modulus(i, j),
+        .shear_modulus = materials_.shear_modulus(i, j),
+        .stress_of_heat = materials_.thermal_stress(i, j, numerics_.thermal_stress),
+        .heat_of_stretch = materials_.thermal_stress(i, j, numerics_.stress_work)};
+    if (numerics_.coupling == Coupling::lagged && heat_capacity <= 0.0)
+        fail("heat capacity rho c_v [J/(m3 K)]", heat_capacity,
+             {.value = 0.0, .is_least = true, .condition = condition},
+             "take numerics.coupling = \"adiabatic\"");
+    const double coupling = coupling_number(solid, numerics_.coupling, temperature);
+    const double limit = coupling_of_a_lost_step(scheme_);
+    if (coupling >= limit)
+        fail("coupling number g", coupling, {.value = limit, .condition = condition},
+             coupling_advice(solid, numerics_.coupling, scheme_, temperature));
 }
 
 void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMotion& motion) {
@@ -145,8 +159,7 @@ void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMo
 
     double heat_capacity = capacity(i, j, mean_temperature);
     if (deforms_) {
-        if (numerics_.coupling == Coupling::lagged)
-            check_coupling(i, j, heat_capacity, mean_temperature);
+        check_coupling(i, j, heat_capacity, mean_temperature);
         const double split = adiabatic_capacity(i, j, mean_temperature);
         add_stress_work(i, j, nodes, share, split, temperature, motion);
         heat_capacity += split;

@@ -64,6 +64,7 @@ private:
     SpaceTimeFunction<double> source_;
     SpaceTimeFunction<double> flux_source_;
     Numerics numerics_;
+    Stepping scheme_;
     bool deforms_;
     double stiffest_rate_;
     NodeStencil transport_;  ///< diffusion and convection, [W/K] per unit thickness

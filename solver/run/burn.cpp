@@ -10,6 +10,7 @@
 #include "base/errors.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/manifest.hpp"
+#include "solver/guards/predicted.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/scene/write_scene.hpp"
@@ -26,6 +27,8 @@ public:
           simulation_(scene, sources),
           steadiness_(scene) {
         manifest_.scene = to_toml(scene);
+        manifest_.predicted = predicted(scene);
+        refuse(manifest_.predicted);
         if (options.restart) restart(*options.restart);
         prepare_directory(options.directory);
         manifest_.command = options.command;
@@ -36,6 +39,7 @@ public:
 
     BurnOutcome to_the_end() {
         write("running");
+        tell(manifest_.predicted);
         Recorder recorder(options_.directory, options_.name,
                           {manifest_.scene, version(), revision()}, simulation_);
         try {
@@ -50,6 +54,11 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+
+    void tell(const Guards& guards) const {
+        if (!options_.remark) return;
+        for (const Guard& guard : remarks(guards)) options_.remark(guard);
+    }
 
     void restart(const std::filesystem::path& file) {
         Checkpoint checkpoint = load_checkpoint(file, manifest_.scene);

@@ -71,6 +71,24 @@ TEST_F(Program, ExplainsItselfToANewcomer) {
     EXPECT_THAT(crawford({"--version"}).output, testing::StartsWith("crawford 0."));
 }
 
+TEST_F(Program, RefusesACouplingThatWouldBurnAtAWrongRate) {
+    const std::vector<std::string> wrong{"burn",  scenes + "sandwich.toml",
+                                         "--set", "time.scheme=bdf2",
+                                         "--set", "numerics.coupling=lagged"};
+    std::vector<std::string> burn = wrong;
+    burn.insert(burn.end(), {"--out", out()});
+    expect_refused(burn, "coupling = 0.7");
+    EXPECT_FALSE(fs::exists(out())) << "nothing is written";
+    std::vector<std::string> check = wrong;
+    check.push_back("--check");
+    EXPECT_EQ(crawford(check).status, 2);
+    check.insert(check.end(), {"--set", "numerics.coupling=adiabatic", "--json"});
+    const Finished sound = crawford(check);
+    EXPECT_EQ(sound.status, 0);
+    const auto json = nlohmann::json::parse(sound.output);
+    EXPECT_NEAR(json.at("predicted").at("coupling").at("limit"), 1.0 / 3.0, 1e-12);
+}
+
 TEST_F(Program, ListsEveryCaseOnALineThatFitsAHundredColumns) {
     const Finished list = crawford({"list"});
     EXPECT_EQ(list.status, 0);
