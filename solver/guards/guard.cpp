@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "base/errors.hpp"
@@ -13,6 +14,17 @@ std::string in_words(const Guard& guard) {
     const std::string limit = guard.limit ? fmt::format(", limit {:.4g}", *guard.limit) : "";
     const std::string text = guard.text.empty() ? "" : ": " + guard.text;
     return fmt::format("{} = {:.4g}{}{}", guard.name, guard.value, limit, text);
+}
+
+double rounded_down(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return std::floor(value / unit) * unit;
+}
+
+bool is_worse(const Guard& a, const Guard& b) {
+    if (a.beyond != b.beyond) return a.beyond > b.beyond;
+    if (a.limit && b.limit && *a.limit != *b.limit) return a.value / *a.limit > b.value / *b.limit;
+    return a.is_least ? a.value < b.value : a.value > b.value;
 }
 
 Guards remarks(const Guards& guards) {

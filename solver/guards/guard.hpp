@@ -19,6 +19,7 @@ struct Guard {
     std::string name;
     double value = 0.0;
     std::optional<double> limit = std::nullopt;  ///< none, where it only tells
+    bool is_least = false;                       ///< the value has to be above the limit
     Beyond beyond = Beyond::nothing;
     std::string text = "";  ///< what it means beyond the limit, and what to do
 };
@@ -27,6 +28,12 @@ using Guards = std::vector<Guard>;
 
 /// "NAME = VALUE, limit LIMIT: TEXT"
 std::string in_words(const Guard& guard);
+
+/// To two digits, towards zero: what advice names must be within the limit.
+double rounded_down(double value);
+
+/// Whether `a` is further beyond its limit than `b` of the same name, or nearer to it.
+bool is_worse(const Guard& a, const Guard& b);
 
 /// Those that are to be remarked.
 Guards remarks(const Guards& guards);

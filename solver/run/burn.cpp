@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/manifest.hpp"
 #include "solver/guards/predicted.hpp"
+#include "solver/guards/watch.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/scene/write_scene.hpp"
@@ -25,11 +27,13 @@ public:
         : options_(options),
           last_step_(last_step(scene.time)),
           simulation_(scene, sources),
+          watch_(simulation_),
           steadiness_(scene) {
         manifest_.scene = to_toml(scene);
         manifest_.predicted = predicted(scene);
         refuse(manifest_.predicted);
         if (options.restart) restart(*options.restart);
+        watch_ = Watch(simulation_);
         prepare_directory(options.directory);
         manifest_.command = options.command;
         manifest_.seeds = options.seeds;
@@ -60,6 +64,15 @@ private:
         for (const Guard& guard : remarks(guards)) options_.remark(guard);
     }
 
+    /// Tells what has not been foretold.
+    void tell_news(const Guards& met) const {
+        for (const Guard& guard : met) {
+            const auto foretold = std::ranges::find(manifest_.predicted, guard.name, &Guard::name);
+            if (foretold == manifest_.predicted.end() || foretold->beyond != Beyond::remark)
+                tell({guard});
+        }
+    }
+
     void restart(const std::filesystem::path& file) {
         Checkpoint checkpoint = load_checkpoint(file, manifest_.scene);
         simulation_.restore(std::move(checkpoint.state));
@@ -78,6 +91,7 @@ private:
         const Observer summarise = [&](Simulation& simulation, double) {
             summary = simulation.summary();
             steadiness_.record(state, summary);
+            tell_news(watch_.record(simulation, summary));
         };
         const Observer record = [&](Simulation& simulation, double before) {
             recorder.record(simulation, summary, before, steadiness_.window());
@@ -110,6 +124,7 @@ private:
 
     void write(const std::string& outcome) {
         manifest_.outcome = outcome;
+        manifest_.met = watch_.met();
         manifest_.last_step = simulation_.state().step;
         manifest_.time = simulation_.state().time;
         manifest_.ended = std::chrono::system_clock::now();
@@ -133,6 +148,7 @@ private:
     const long last_step_;
     Clock::time_point started_ = Clock::now();
     Simulation simulation_;
+    Watch watch_;
     Steadiness steadiness_;
     Manifest manifest_;
 };

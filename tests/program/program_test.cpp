@@ -168,13 +168,20 @@ TEST_F(Program, WritesAPackThatASceneReads) {
 }
 
 TEST_F(Program, SaysWithCodeThreeThatTheNumbersFailed) {
-    const Finished burn =
-        crawford({"burn", scenes + "slab.toml", "--set", "time.step=10 ms", "--set",
-                  "output.snapshots_every=10 ms", "--quiet", "--out", out()});
+    const Finished burn = crawford(
+        {"burn", scenes + "slab.toml", "--set", "time.step=250 us", "--quiet", "--out", out()});
     EXPECT_EQ(burn.status, 3) << burn.output;
-    EXPECT_THAT(burn.output, HasSubstr("crosses"));
-    EXPECT_THAT(burn.output, HasSubstr("reduce time.step"));
+    EXPECT_THAT(burn.output, HasSubstr("crawford: remark: crossing_y = 1.2, limit 1: "));
     EXPECT_THAT(burn.output, HasSubstr("the last good state is kept in"));
+}
+
+TEST_F(Program, RefusesBeforehandAStepThatCannotGoWell) {
+    const std::vector<std::string> burn{
+        "burn",  scenes + "slab.toml",           "--set",   "time.step=10 ms",
+        "--set", "output.snapshots_every=10 ms", "--quiet", "--out",
+        out()};
+    expect_refused(burn, "reduce time.step to 200 us or less");
+    EXPECT_FALSE(fs::exists(out_));
 }
 
 TEST_F(Program, DrawsAFigureWithItsNumbersAndManifest) {
