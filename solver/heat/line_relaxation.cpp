@@ -52,33 +52,34 @@ private:
     std::vector<double> upper_, value_;
 };
 
-/// How far the answer still is, from how the changes of the sweeps shrink.
+/// How far the answer still is, from how the changes of the sweeps shrink. Sweeps there and back
+/// change unlike much: what counts is what a pair of them leaves.
 class Distance {
 public:
     void sweep(double change) {
-        if (first_ == 0.0) first_ = change;
-        if (change_ > 0.0) {
-            before_ = last_;
-            last_ = change / change_;
-        }
-        change_ = change;
-        known_ = first_ == 0.0 || last_ > 0.0;
+        if (sweeps_ == 0) first_ = change;
+        before_ = last_;
+        last_ = now_;
+        now_ = change;
+        ++sweeps_;
     }
-    /// Sweeps there and back need not leave the same: the worse of two.
-    double contraction() const { return std::max(before_, last_); }
+    /// What a sweep leaves of the distance; zero as long as there is no pair to tell it.
+    double contraction() const {
+        return sweeps_ > 2 && before_ > 0.0 ? std::sqrt(now_ / before_) : 0.0;
+    }
     bool within(double tolerance) const {
         const double rho = contraction();
-        if (!known_ || rho >= 1.0) return false;
+        if (sweeps_ <= 2 || rho >= 1.0) return false;
         // The step moves some value by first/(1 - rho), the distance left is change rho/(1 - rho).
-        const double left = change_ * rho / (1.0 - rho);
-        return change_ <= tolerance && left <= tolerance && change_ * rho <= share_of_step * first_;
+        const double change = std::max(now_, last_);
+        return now_ <= tolerance && change * rho <= (1.0 - rho) * tolerance &&
+               change * rho <= share_of_step * first_;
     }
 
 private:
+    int sweeps_ = 0;
     double first_ = 0.0;
-    double change_ = 0.0;
-    double before_ = 0.0, last_ = 0.0;
-    bool known_ = false;
+    double before_ = 0.0, last_ = 0.0, now_ = 0.0;  ///< changes of the last three sweeps
 };
 
 double round_off(const NodeField& x) {
