@@ -16,15 +16,69 @@ namespace {
 // out turns it once.
 constexpr size_t turns = 8;
 
+/// \throws NumericalFailure beyond the limit: HeatStep itself ends a run only where it is lost.
+void check_coupling(const Simulation& simulation, double coupling) {
+    const Scene& scene = simulation.scene();
+    const double limit = coupling_limit(scene.time.scheme);
+    if (coupling < limit) return;
+    const std::string condition = coupling_condition(scene.numerics.coupling, scene.time.scheme);
+    throw NumericalFailure(
+        {.kind = FailureFields::Kind::beyond_limit,
+         .module = "heat",
+         .quantity = "coupling number g",
+         .value = coupling,
+         .limit = FailureLimit{.value = limit, .condition = condition},
+         .step = simulation.state().step,
+         .time = simulation.state().time,
+         .advice = scene.numerics.coupling == Coupling::lagged
+                       ? "take numerics.coupling = \"adiabatic\""
+                       : "take the same numerics.stress_work as numerics.thermal_stress"});
+}
+
 }  // namespace
+
+std::optional<Guard> Worst::meet(double value) {
+    if (!(value > value_)) return std::nullopt;
+    value_ = value;
+    if (told_) return std::nullopt;
+    Guard guard = judge_(value);
+    told_ = guard.beyond != Beyond::nothing;
+    return told_ ? std::optional(std::move(guard)) : std::nullopt;
+}
 
 Watch::Watch(const Simulation& simulation)
     : narrowest_(narrowest_column(simulation.grid())), surface_(simulation.state().surface) {
     const Grid& grid = simulation.grid();
-    rate_of_rows_.resize(size_t(grid.rows()) + 1);
+    rows_in_a_metre_.resize(size_t(grid.rows()) + 1);
     for (int j = 0; j <= grid.rows(); ++j)
-        rate_of_rows_[size_t(j)] = 1.0 / std::min(grid.height(std::max(j - 1, 0)),
-                                                  grid.height(std::min(j, grid.rows() - 1)));
+        rows_in_a_metre_[size_t(j)] = 1.0 / std::min(grid.height(std::max(j - 1, 0)),
+                                                     grid.height(std::min(j, grid.rows() - 1)));
+    watch(simulation.scene(), grid);
+}
+
+void Watch::watch(const Scene& scene, const Grid& grid) {
+    const auto add = [&](const char* name, Worst::Judge judge) {
+        worst_.emplace(name, std::move(judge));
+    };
+    if (scene.physics.heat && scene.physics.mechanics)
+        add("coupling", [limit = coupling_limit(scene.time.scheme)](double value) {
+            return Guard{.name = "coupling", .value = value, .limit = limit};
+        });
+    if (scene.physics.heat) {
+        add("undershoot", undershoot);
+        add("relaxation", [scene](double value) { return relaxation(value, scene); });
+        add("cell_peclet", [scene, grid](double burn_rate) {
+            Guard worst = cell_peclet(grid, scene.morphology.materials.front(), burn_rate);
+            Guard other = cell_peclet(grid, scene.morphology.materials.back(), burn_rate);
+            return is_worse(other, worst) ? other : worst;
+        });
+    }
+    if (scene.physics.regression == Regression::pyrolysis) add("alternation", alternation);
+    add("crossing_y", crossing_y);
+    if (grid.cell_columns() == 1) return;
+    add("crossing_x", crossing_x);
+    add("front_crossing", front_crossing);
+    add("slope", slope);
 }
 
 Watch::Crossed Watch::crossed(const Simulation& simulation, const Summary& summary) {
@@ -34,14 +88,14 @@ Watch::Crossed Watch::crossed(const Simulation& simulation, const Summary& summa
     Crossed worst;
     for (int i = 0; i < grid.node_columns(); ++i) {
         const double fall = surface_[size_t(i)] - state.surface[size_t(i)];
-        worst.rows = std::max(worst.rows, std::abs(fall) * rate_of_rows_.back());
+        worst.rows = std::max(worst.rows, std::abs(fall) * rows_in_a_metre_.back());
         if (state.velocity.empty()) continue;
         const double across = dt / narrowest_;
         for (int j = 0; j <= grid.rows(); ++j) {
             const Vector& v = state.velocity(i, j);
             worst.columns = std::max(worst.columns, std::abs(v.x()) * across);
             worst.rows =
-                std::max(worst.rows, std::abs(v.y() * dt + fall) * rate_of_rows_[size_t(j)]);
+                std::max(worst.rows, std::abs(v.y() * dt + fall) * rows_in_a_metre_[size_t(j)]);
         }
     }
     for (int i = 0; i < grid.cell_columns(); ++i)
@@ -53,9 +107,9 @@ Watch::Crossed Watch::crossed(const Simulation& simulation, const Summary& summa
 }
 
 /// The least of the last turns, if there was nothing but turns.
-double Watch::alternation(double burn_rate) {
+double Watch::turning(double burn_rate) {
     burn_rates_.push_back(burn_rate);
-    if (burn_rates_.size() > turns + 2) burn_rates_.pop_front();
+    if (burn_rates_.size() > turns + 2) burn_rates_.erase(burn_rates_.begin());
     if (burn_rates_.size() < turns + 2 || burn_rate <= 0.0) return 0.0;
     double least = std::abs(burn_rates_[1] - burn_rates_[0]);
     for (size_t k = 2; k < burn_rates_.size(); ++k) {
@@ -66,70 +120,32 @@ double Watch::alternation(double burn_rate) {
     return least / burn_rate;
 }
 
-void Watch::check_coupling(const Simulation& simulation, double coupling) const {
-    const Scene& scene = simulation.scene();
-    const double limit = coupling_limit(scene.time.scheme);
-    if (coupling < limit) return;
-    throw NumericalFailure(
-        {.kind = FailureFields::Kind::beyond_limit,
-         .module = "heat",
-         .quantity = "coupling number g",
-         .value = coupling,
-         .limit = FailureLimit{.value = limit,
-                               .condition =
-                                   coupling_condition(scene.numerics.coupling, scene.time.scheme)},
-         .step = simulation.state().step,
-         .time = simulation.state().time,
-         .advice = scene.numerics.coupling == Coupling::lagged
-                       ? "take numerics.coupling = \"adiabatic\""
-                       : "take the same numerics.stress_work as numerics.thermal_stress"});
-}
-
-Guards Watch::take(const Guards& now) {
-    Guards beyond;
-    for (const Guard& guard : now) {
-        const auto worst = std::ranges::find(met_, guard.name, &Guard::name);
-        const bool before = worst != met_.end() && worst->beyond != Beyond::nothing;
-        if (guard.beyond != Beyond::nothing && !before) beyond.push_back(guard);
-        if (worst == met_.end())
-            met_.push_back(guard);
-        else if (is_worse(guard, *worst))
-            *worst = guard;
-    }
-    return beyond;
-}
-
 Guards Watch::record(const Simulation& simulation, const Summary& summary) {
-    const Scene& scene = simulation.scene();
-    Guards now;
-    if (scene.physics.heat) {
-        const StepNumbers numbers = simulation.step_numbers();
-        if (scene.physics.mechanics) {
-            check_coupling(simulation, numbers.coupling);
-            now.push_back({.name = "coupling",
-                           .value = numbers.coupling,
-                           .limit = coupling_limit(scene.time.scheme)});
-        }
-        now.push_back(relaxation(numbers.contraction, scene));
-        now.push_back(
-            undershoot(std::max(0.0, scene.bottom.temperature - summary.least_temperature)));
-    }
+    Guards told;
+    const auto meet = [&](std::string_view name, double value) {
+        const auto worst = worst_.find(name);
+        if (worst == worst_.end()) return;
+        if (auto guard = worst->second.meet(value)) told.push_back(std::move(*guard));
+    };
+    const StepNumbers numbers = simulation.step_numbers();
+    if (simulation.scene().physics.mechanics) check_coupling(simulation, numbers.coupling);
+    meet("coupling", numbers.coupling);
+    meet("relaxation", numbers.contraction);
+    meet("undershoot", simulation.scene().bottom.temperature - summary.least_temperature);
+    meet("cell_peclet", summary.mean_burn_rate);
+    meet("alternation", turning(summary.mean_burn_rate));
     const Crossed cells = crossed(simulation, summary);
-    now.push_back(crossing_y(cells.rows));
-    if (simulation.grid().cell_columns() > 1) {
-        now.push_back(crossing_x(cells.columns));
-        now.push_back(front_crossing(cells.of_surface));
-        now.push_back(slope(cells.slope));
-    }
-    if (scene.physics.regression == Regression::pyrolysis)
-        now.push_back(crawford::alternation(alternation(summary.mean_burn_rate)));
-    // A window is deep enough, and a row low enough, for what burns in it now.
-    if (scene.physics.heat && summary.mean_burn_rate > 0.0)
-        for (const Material& m : scene.morphology.materials) {
-            now.push_back(fourier(scene, simulation.grid(), m));
-            now.push_back(cell_peclet(simulation.grid(), m, summary.mean_burn_rate));
-        }
-    return take(now);
+    meet("crossing_y", cells.rows);
+    meet("crossing_x", cells.columns);
+    meet("front_crossing", cells.of_surface);
+    meet("slope", cells.slope);
+    return told;
+}
+
+Guards Watch::met() const {
+    Guards met;
+    for (const auto& [name, worst] : worst_) met.push_back(worst.guard());
+    return met;
 }
 
 }  // namespace crawford
