@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/terminal.hpp"
+#include "program/check.hpp"
 #include "program/commands.hpp"
 #include "solver/run/timing_table.hpp"
 #include "solver/scene/read_scene.hpp"
@@ -48,6 +49,7 @@ private:
 
 int burn(const BurnSceneOptions& options, const CommandLine& command) {
     const Scene scene = read_scene(options.scene, options.set);
+    if (options.check) return check(scene, options.json);
     const std::string name = options.scene.stem().string();
     Watch watch;
     BurnOptions files{
@@ -55,6 +57,9 @@ int burn(const BurnSceneOptions& options, const CommandLine& command) {
         .directory = options.out.empty() ? std::filesystem::path("out") / name : options.out,
         .restart = options.restart,
         .command = command};
+    files.remark = [](const Guard& guard) {
+        std::cerr << "crawford: remark: " << in_words(guard) << '\n';
+    };
     if (!options.quiet) files.watch = std::ref(watch);
     const BurnOutcome outcome = burn(scene, files);
     if (options.timing) std::cout << timing_table(outcome.timing, outcome.seconds, outcome.steps);

@@ -149,6 +149,9 @@ struct Parser {
         burn_command->add_option("--restart", burn.restart, "Go on from a checkpoint of this scene")
             ->type_name("FILE");
         burn_command->add_flag("--timing", burn.timing, "Print where the time went");
+        auto* const check = burn_command->add_flag(
+            "--check", burn.check, "Run nothing: print the scene's numbers and their limits");
+        burn_command->add_flag("--json", burn.json, "Print them as JSON")->needs(check);
         add_quiet(burn_command, burn.quiet);
         burn_command->footer(help::burn_examples);
     }

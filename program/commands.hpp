@@ -63,6 +63,8 @@ struct BurnSceneOptions {
     std::filesystem::path out;     ///< out/<name of the scene> if empty
     std::optional<std::filesystem::path> restart;
     bool timing = false;
+    bool check = false;  ///< only what its numbers will be
+    bool json = false;   ///< those as JSON
     bool quiet = false;
 };
 
@@ -98,7 +100,8 @@ int verify(const VerifyOptions& options, const CommandLine& command);
 /// \throws InputError if there are none or they cannot be understood.
 int report(const ReportOptions& options);
 
-/// Burns a scene.
+/// Burns a scene, or only checks it: prints its numbers, their limits and what they will do.
+/// \throws InputError if the scene is wrong or its numbers are refused; a check prints them first.
 int burn(const BurnSceneOptions& options, const CommandLine& command);
 
 /// Writes the discs of a scene as CSV.

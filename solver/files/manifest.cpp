@@ -7,6 +7,7 @@
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
 #include "base/peak_memory.hpp"
+#include "solver/files/guard_json.hpp"
 #include "solver/files/machine.hpp"
 
 namespace crawford {
@@ -42,6 +43,10 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
         {"time_seconds", manifest.time},
         {"seeds", manifest.seeds},
         {"scene", manifest.scene},
+        {"predicted", nlohmann::ordered_json::parse(to_json(manifest.predicted))},
+        {"met", nlohmann::ordered_json::parse(to_json(manifest.met))},
+        {"remarks",
+         nlohmann::ordered_json::parse(remarks_to_json(manifest.predicted, manifest.met))},
     };
     if (manifest.steps)
         json["steps"] = {{"shortest_seconds", manifest.steps->shortest},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/files/step_choice.hpp"
+#include "solver/guards/guard.hpp"
 
 namespace crawford {
 
@@ -22,6 +23,8 @@ struct Manifest {
     long last_step = 0;
     double time = 0.0;               ///< reached [s]
     std::optional<StepCount> steps;  ///< how they came about, where they were chosen
+    Guards predicted;   ///< from the scene, before
+    Guards met;         ///< the worst of the run so far
     std::chrono::system_clock::time_point started;
     std::chrono::system_clock::time_point ended;
 };

@@ -27,12 +27,16 @@ void check(const NodeField& temperature) {
                      .advice = "reduce time.step, or take numerics.coupling = \"adiabatic\""});
 }
 
-/// The largest rate at which conduction alone evens out a temperature on this grid [1/s]: that of a
-/// zigzag from node to node, 4 D (1/dx^2 + 1/dy^2) in the finest cells.
-double stiffest_rate(const Grid& grid, const MaterialMap& materials) {
+double largest_diffusivity(const MaterialMap& materials) {
     const auto diffusivity = [](const Material& m) {
         return m.thermal_conductivity / (m.density * m.specific_heat);
     };
+    return std::max(diffusivity(materials.first()), diffusivity(materials.second()));
+}
+
+}  // namespace
+
+double stiffest_rate(const Grid& grid, double diffusivity) {
     double curvature = 0.0;
     for (int j = 0; j < grid.rows(); ++j)
         curvature = std::max(curvature, 1.0 / (grid.height(j) * grid.height(j)));
@@ -40,11 +44,14 @@ double stiffest_rate(const Grid& grid, const MaterialMap& materials) {
     for (int i = 0; i < grid.cell_columns(); ++i)
         along_rows = std::max(along_rows, 1.0 / (grid.dx(i) * grid.dx(i)));
     if (grid.node_columns() > 1) curvature += along_rows;
-    return 4.0 * curvature *
-           std::max(diffusivity(materials.first()), diffusivity(materials.second()));
+    return 4.0 * curvature * diffusivity;
 }
 
-}  // namespace
+/// (1 - (1 - theta) z)/(1 + theta z) >= -0.9, z = dt times the stiffest rate.
+double least_implicit(double dt, double stiffest_rate) {
+    constexpr double left = 0.9;
+    return 1.0 / (1.0 + left) - 1.0 / (dt * stiffest_rate);
+}
 
 HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& materials,
                    const BurningLaw& law, const HeatSources& sources)
@@ -54,8 +61,9 @@ HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& mate
       source_(sources.heat),
       flux_source_(sources.heat_flux),
       numerics_(scene.numerics),
+      scheme_(scene.time.scheme),
       deforms_(scene.physics.mechanics),
-      stiffest_rate_(stiffest_rate(grid, materials)),
+      stiffest_rate_(stiffest_rate(grid, largest_diffusivity(materials))),
       transport_(grid),
       mass_(grid.node_columns(), grid.rows() + 1),
       load_(grid.node_columns(), grid.rows() + 1) {}
@@ -81,19 +89,15 @@ int HeatStep::advance(NodeField& temperature, const NodeField& lagged, const Hea
             transport_.row(i, j)[1][1] += mass_(i, j) / step.span;
         }
     const double hottest = *std::ranges::max_element(temperature.values());
-    const int sweeps =
+    const Relaxation done =
         relax_columns(transport_, rhs, temperature, numerics_.heat_tolerance * hottest);
+    contraction_ = done.contraction;
     check(temperature);
-    return sweeps;
-}
-
-/// (1 - (1 - theta) z)/(1 + theta z) >= -0.9, z = dt times the stiffest rate.
-double HeatStep::least_implicit(double dt) const {
-    constexpr double left = 0.9;
-    return 1.0 / (1.0 + left) - 1.0 / (dt * stiffest_rate_);
+    return done.sweeps;
 }
 
 void HeatStep::assemble(const NodeField& temperature, const HeatMotion& motion) {
+    coupling_ = 0.0;
     transport_.clear();
     std::ranges::fill(mass_.values(), 0.0);
     std::ranges::fill(load_.values(), 0.0);
@@ -117,22 +121,34 @@ double HeatStep::adiabatic_capacity(int i, int j, double temperature) const {
     return beta * beta * temperature / materials_.bulk_modulus(i, j);
 }
 
-/// Lagged, the stress work of one step answers that of the last with the factor -g, g = T
-/// beta^2/(rho c P): beyond g = 1 it alternates and grows, whatever the step.
-void HeatStep::check_coupling(int i, int j, double heat_capacity, double temperature) const {
-    const double beta = materials_.thermal_stress(i, j, numerics_.stress_work);
-    const double confined =
-        materials_.bulk_modulus(i, j) + 4.0 / 3.0 * materials_.shear_modulus(i, j);
-    const double coupling = temperature * beta * beta / (heat_capacity * confined);
-    if (coupling < 1.0) return;
-    throw NumericalFailure(
-        {.kind = FailureFields::Kind::beyond_limit,
-         .module = "heat",
-         .quantity = "coupling number g",
-         .value = coupling,
-         .limit = FailureLimit{.value = 1.0, .condition = "for numerics.coupling = \"lagged\""},
-         .place = FailurePlace{"cell", i, j},
-         .advice = "take \"adiabatic\""});
+/// Beyond its limit the stress work alternates from step to step and grows, however small the step.
+void HeatStep::check_coupling(int i, int j, double heat_capacity, double temperature) {
+    const auto fail = [&](const char* quantity, double value, FailureLimit limit,
+                          std::string advice) {
+        limit.condition = coupling_condition(numerics_.coupling, scheme_);
+        throw NumericalFailure({.kind = FailureFields::Kind::beyond_limit,
+                                .module = "heat",
+                                .quantity = quantity,
+                                .value = value,
+                                .limit = std::move(limit),
+                                .place = FailurePlace{"cell", i, j},
+                                .advice = std::move(advice)});
+    };
+    if (numerics_.coupling == Coupling::lagged && heat_capacity <= 0.0)
+        fail("heat capacity rho c_v [J/(m3 K)]", heat_capacity, {.value = 0.0, .is_least = true},
+             "take numerics.coupling = \"adiabatic\"");
+    const CoupledSolid solid{
+        .heat_capacity = heat_capacity,
+        .bulk_modulus = materials_.bulk_modulus(i, j),
+        .shear_modulus = materials_.shear_modulus(i, j),
+        .stress_of_heat = materials_.thermal_stress(i, j, numerics_.thermal_stress),
+        .heat_of_stretch = materials_.thermal_stress(i, j, numerics_.stress_work)};
+    const double coupling = coupling_number(solid, numerics_.coupling, temperature);
+    const double limit = coupling_of_a_lost_step(scheme_);
+    if (coupling >= limit)
+        fail("coupling number g", coupling, {.value = limit},
+             coupling_advice(solid, numerics_.coupling, scheme_, temperature));
+    coupling_ = std::max(coupling_, coupling);
 }
 
 void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMotion& motion) {
@@ -145,8 +161,7 @@ void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMo
 
     double heat_capacity = capacity(i, j, mean_temperature);
     if (deforms_) {
-        if (numerics_.coupling == Coupling::lagged)
-            check_coupling(i, j, heat_capacity, mean_temperature);
+        check_coupling(i, j, heat_capacity, mean_temperature);
         const double split = adiabatic_capacity(i, j, mean_temperature);
         add_stress_work(i, j, nodes, share, split, temperature, motion);
         heat_capacity += split;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "solver/burning/burn_rate.hpp"
+#include "solver/heat/coupling_number.hpp"
 #include "solver/heat/heat_sources.hpp"
 #include "solver/mesh/node_stencil.hpp"
 #include "solver/mesh/solid_motion.hpp"
@@ -21,6 +22,16 @@ struct HeatMotion : SolidMotion {
     /// DT/Dt [K/s] of the last step; empty unless the stress work is split.
     const CellField& temperature_rate;
 };
+
+/// The largest rate at which conduction alone evens out a temperature on this grid [1/s]: that of a
+/// zigzag from node to node, 4 D (1/dx^2 + 1/dy^2) in the finest cells.
+double stiffest_rate(const Grid& grid, double diffusivity);
+
+/// Crank-Nicolson hardly damps a zigzag in a step that is long for it, and turns its sign at every
+/// step: on 512 columns of a sandwich that ends the burn. This is the least share of the new
+/// temperature for which a step leaves no more than 0.9 of the stiffest zigzag; it is above one half
+/// where the step is more than 38 of its times, and never above 10/19.
+double least_implicit(double dt, double stiffest_rate);
 
 class HeatStep {
 public:
@@ -40,11 +51,13 @@ public:
         return advance(temperature, temperature, motion, euler_step(time, dt));
     }
 
-    /// Crank-Nicolson hardly damps a zigzag in a step that is long for it, and turns its sign at
-    /// every step: on 512 columns of a sandwich that ends the burn. This is the least share of the
-    /// new temperature for which a step leaves no more than 0.9 of the stiffest zigzag; it is above
-    /// one half where the step is more than 38 of its times, and never above 10/19.
-    double least_implicit(double dt) const;
+    /// Of the last step: the largest coupling number of a cell, zero where nothing deforms.
+    double coupling() const { return coupling_; }
+    /// Of the last step: what a sweep of the line relaxation left of the error.
+    double contraction() const { return contraction_; }
+
+    /// Of the stiffest rate of this grid and its materials.
+    double least_implicit(double dt) const { return crawford::least_implicit(dt, stiffest_rate_); }
 
 private:
     void assemble(const NodeField& temperature, const HeatMotion& motion);
@@ -56,7 +69,7 @@ private:
     void add_flux_source(const SurfaceField& surface, double time);
     double capacity(int i, int j, double temperature) const;
     double adiabatic_capacity(int i, int j, double temperature) const;
-    void check_coupling(int i, int j, double heat_capacity, double temperature) const;
+    void check_coupling(int i, int j, double heat_capacity, double temperature);
 
     const Grid& grid_;
     const MaterialMap& materials_;
@@ -64,8 +77,11 @@ private:
     SpaceTimeFunction<double> source_;
     SpaceTimeFunction<double> flux_source_;
     Numerics numerics_;
+    Stepping scheme_;
     bool deforms_;
     double stiffest_rate_;
+    double coupling_ = 0.0;
+    double contraction_ = 0.0;
     NodeStencil transport_;  ///< diffusion and convection, [W/K] per unit thickness
     NodeField mass_;         ///< lumped heat capacity [J/K]
     NodeField load_;         ///< flux, stress work, source [W]

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/errors.hpp"
 
@@ -13,6 +15,9 @@ namespace {
 // Some 20 sweeps for each unit of D dt/dx^2: enough for steps a hundred times those of the paper,
 // or for 512 columns.
 constexpr int most_sweeps = 2000;
+
+// Of what a step changes, the part that may be wrong: small beside the error of the step itself.
+constexpr double share_of_step = 1e-3;
 
 /// The Thomas algorithm on one column; keeps its work space between columns.
 class ColumnSolver {
@@ -47,11 +52,49 @@ private:
     std::vector<double> upper_, value_;
 };
 
+/// How far the answer still is, from how the changes of the sweeps shrink. Sweeps there and back
+/// change unlike much: what counts is what a pair of them leaves.
+class Distance {
+public:
+    void sweep(double change) {
+        if (sweeps_ == 0) first_ = change;
+        before_ = last_;
+        last_ = now_;
+        now_ = change;
+        ++sweeps_;
+    }
+    /// What a sweep leaves of the distance; zero as long as there is no pair to tell it.
+    double contraction() const {
+        return sweeps_ > 2 && before_ > 0.0 ? std::sqrt(now_ / before_) : 0.0;
+    }
+    bool within(double tolerance) const {
+        const double rho = contraction();
+        if (sweeps_ <= 2 || rho >= 1.0) return false;
+        // The step moves some value by first/(1 - rho), the distance left is change rho/(1 - rho).
+        const double change = std::max(now_, last_);
+        return now_ <= tolerance && change * rho <= (1.0 - rho) * tolerance &&
+               change * rho <= share_of_step * first_;
+    }
+
+private:
+    int sweeps_ = 0;
+    double first_ = 0.0;
+    double before_ = 0.0, last_ = 0.0, now_ = 0.0;  ///< changes of the last three sweeps
+};
+
+double round_off(const NodeField& x) {
+    double largest = 0.0;
+    for (const double value : x.values()) largest = std::max(largest, std::abs(value));
+    return 4.0 * std::numeric_limits<double>::epsilon() * largest;
+}
+
 }  // namespace
 
-int relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x, double tolerance) {
+Relaxation relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x, double tolerance) {
     ColumnSolver column(x.rows());
     const int columns = x.columns();
+    Distance distance;
+    const double least_change = round_off(x);
     double largest = 0.0;
     int worst = 0;
     for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
@@ -64,8 +107,11 @@ int relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x, double
                 worst = i;
             }
         }
-        if (largest <= tolerance || (columns == 1 && std::isfinite(largest))) return sweep;
+        if (columns == 1 && std::isfinite(largest)) return {sweep, 0.0};
         if (std::isnan(largest)) break;
+        distance.sweep(largest);
+        if (largest <= least_change || distance.within(tolerance))
+            return {sweep, distance.contraction()};
     }
     throw NumericalFailure(
         {.kind = FailureFields::Kind::no_convergence,

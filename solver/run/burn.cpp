@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -10,6 +11,8 @@
 #include "base/errors.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/manifest.hpp"
+#include "solver/guards/predicted.hpp"
+#include "solver/guards/watch.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/run/steadiness.hpp"
@@ -25,9 +28,13 @@ public:
         : options_(options),
           simulation_(scene, sources),
           steps_(steps_of(simulation_)),
+          watch_(simulation_),
           steadiness_(scene) {
         manifest_.scene = to_toml(scene);
+        manifest_.predicted = predicted(scene);
+        refuse(manifest_.predicted);
         if (options.restart) restart(*options.restart);
+        watch_ = Watch(simulation_);
         prepare_directory(options.directory);
         manifest_.command = options.command;
         manifest_.seeds = options.seeds;
@@ -37,6 +44,7 @@ public:
 
     BurnOutcome to_the_end() {
         write("running");
+        tell(manifest_.predicted);
         Recorder recorder(options_.directory, options_.name,
                           {manifest_.scene, version(), revision()}, simulation_);
         try {
@@ -51,6 +59,20 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+
+    void tell(const Guards& guards) const {
+        if (!options_.remark) return;
+        for (const Guard& guard : remarks(guards)) options_.remark(guard);
+    }
+
+    /// Tells what has not been foretold.
+    void tell_news(const Guards& met) const {
+        for (const Guard& guard : met) {
+            const auto foretold = std::ranges::find(manifest_.predicted, guard.name, &Guard::name);
+            if (foretold == manifest_.predicted.end() || foretold->beyond != Beyond::remark)
+                tell({guard});
+        }
+    }
 
     void restart(const std::filesystem::path& file) {
         Checkpoint checkpoint = load_checkpoint(file, manifest_.scene);
@@ -71,6 +93,7 @@ private:
         const Observer summarise = [&](Simulation& simulation, double) {
             summary = simulation.summary();
             steadiness_.record(state, summary);
+            tell_news(watch_.record(simulation, summary));
         };
         const Observer record = [&](Simulation& simulation, double before) {
             recorder.record(simulation, summary, before, memory());
@@ -104,6 +127,7 @@ private:
 
     void write(const std::string& outcome) {
         manifest_.outcome = outcome;
+        manifest_.met = watch_.met();
         manifest_.last_step = simulation_.state().step;
         manifest_.time = simulation_.state().time;
         if (const auto choice = steps_->choice()) manifest_.steps = choice->count;
@@ -129,6 +153,7 @@ private:
     Clock::time_point started_ = Clock::now();
     Simulation simulation_;
     std::unique_ptr<Steps> steps_;
+    Watch watch_;
     Steadiness steadiness_;
     Manifest manifest_;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/files/step_choice.hpp"
+#include "solver/guards/guard.hpp"
 #include "solver/run/progress.hpp"
 #include "solver/step/simulation.hpp"
 
@@ -27,6 +28,8 @@ struct BurnOptions {
     std::vector<std::string> command = {};                ///< the command line, for the manifest
     std::vector<std::uint64_t> seeds = {};                ///< of what was random in the scene
     std::function<void(const BurnProgress&)> watch = {};  ///< told after each step
+    /// Told each remark once, as soon as it is known: before the first step or during the run.
+    std::function<void(const Guard&)> remark = {};
 };
 
 struct BurnOutcome {
@@ -44,7 +47,8 @@ struct BurnOutcome {
 /// Runs to time.end or until it is steady, and writes history, snapshots, checkpoints and
 /// manifest.json. The last state always gets a snapshot and a checkpoint. Prints nothing.
 /// \throws InputError before anything is computed if the checkpoint is not of this scene or the
-/// directory is not writable; later if a file cannot be written.
+/// directory is not writable, or if the scene's numbers are beyond a limit that no answer survives;
+/// later if a file cannot be written.
 /// \throws NumericalFailure if a step fails; snapshot and checkpoint of the last good state are
 /// then written and named.
 BurnOutcome burn(const Scene& scene, const BurnOptions& options, const Sources& sources = {});

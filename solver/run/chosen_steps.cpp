@@ -30,8 +30,11 @@ ChosenSteps::ChosenSteps(const Scene& scene, const Grid& grid)
     : time_(scene.time),
       snapshots_every_(scene.output.snapshots_every),
       error_(scene, grid),
+      lowest_row_(grid.height(0)),
       next_(scene.time.step),
-      limit_(std::numeric_limits<double>::infinity()) {}
+      limit_(std::numeric_limits<double>::infinity()) {
+    for (int j = 1; j < grid.rows(); ++j) lowest_row_ = std::min(lowest_row_, grid.height(j));
+}
 
 void ChosenSteps::resume(StepChoice choice) {
     next_ = choice.next;
@@ -63,8 +66,15 @@ bool ChosenSteps::try_step(Simulation& simulation, const Span& span, int trials)
         return false;
     }
     error_.accept(before, simulation.state());
-    accept(span.length, error);
+    accept(span.length, error, rows_burnt(before, simulation.state()));
     return true;
+}
+
+double ChosenSteps::rows_burnt(const State& before, const State& after) const {
+    double deepest = 0.0;
+    for (size_t i = 0; i < after.surface.size(); ++i)
+        deepest = std::max(deepest, std::abs(after.surface[i] - before.surface[i]));
+    return deepest / lowest_row_;
 }
 
 double ChosenSteps::change_for(double error) const {
@@ -73,12 +83,13 @@ double ChosenSteps::change_for(double error) const {
                       largest_growth);
 }
 
-void ChosenSteps::accept(double length, double error) {
+void ChosenSteps::accept(double length, double error, double rows) {
     const double change = change_for(error);
     double wanted = length * change;
     // A good step that was cut short says nothing against the length that was planned.
     if (change >= 1.0) wanted = std::max(wanted, std::min(next_, limit_));
     limit_ *= limit_growth;
+    if (rows > 0.0) limit_ = std::min(limit_, caution * length / rows);
     next_ = std::min(wanted, limit_);
     count_.longest = std::max(count_.longest, length);
     count_.shortest = count_.shortest == 0.0 ? length : std::min(count_.shortest, length);

@@ -11,7 +11,8 @@ namespace crawford {
 
 /// A step is taken where it adds less than time.accuracy of error (step_error.hpp); else it is
 /// tried again, shorter. The next one is as long as the error of this one lets it be. A step that
-/// fails is tried again as well: where a number is beyond its limit, by that much shorter.
+/// fails is tried again as well: where a number is beyond its limit, by that much shorter. None burns
+/// more than nine tenths of the lowest row: what is explicit goes no further.
 ///
 /// Steps end at the times of snapshots and at time.end, and before these the way that is left is
 /// shared out evenly. Checkpoints shorten none: a run does not depend on them.
@@ -39,12 +40,15 @@ private:
     /// Takes it if it can be taken and is good enough.
     bool try_step(Simulation& simulation, const Span& span, int trials);
     void shorten(const NumericalFailure& failure, double tried);
-    void accept(double length, double error);
+    void accept(double length, double error, double rows);
+    /// How many of the lowest rows the surface fell at most.
+    double rows_burnt(const State& before, const State& after) const;
     double change_for(double error) const;
 
     Time time_;
     std::optional<double> snapshots_every_;
     StepError error_;
+    double lowest_row_;  ///< [m]
     double next_;   ///< [s]
     double limit_;  ///< below which steps did not fail of late [s]
     StepCount count_;

@@ -51,7 +51,8 @@ Peak peak(const NodeVectors& position, const CellField& material, const CellFiel
             sum += covered * field(i, j);
             weight += covered;
         }
-    peak.mean = sum / weight;
+    // A disc that is small beside its cell may hold none of the samples: it lies within the cell.
+    peak.mean = weight > 0.0 ? sum / weight : peak.value;
     return peak;
 }
 

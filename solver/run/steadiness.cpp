@@ -7,7 +7,11 @@ namespace crawford {
 
 namespace {
 
-constexpr double window_length = 1e-3;  // [s]
+constexpr double least_window = 1e-3;  // [s]
+
+// Of the relaxation time 4 D/r_b^2, the part over which a change is looked for: what is left to go
+// is then at most a hundred times that change.
+constexpr double share_of_relaxation = 0.01;
 
 double largest_diffusivity(const std::vector<Material>& materials) {
     double largest = 0.0;
@@ -35,10 +39,17 @@ bool Steadiness::started(const State& state, const Summary& summary) const {
     return burnt * summary.mean_burn_rate >= diffusivity_;
 }
 
-bool Steadiness::at_rest() const {
+/// How long a rate must not have changed [s]: a slow burn changes slowly.
+double Steadiness::window_length(const Summary& summary) const {
+    if (!physics_.heat || summary.mean_burn_rate <= 0.0) return least_window;
+    const double layer = 4.0 * diffusivity_ / (summary.mean_burn_rate * summary.mean_burn_rate);
+    return std::max(least_window, share_of_relaxation * layer);
+}
+
+bool Steadiness::at_rest(double length) const {
     // Half a step of grace: times are sums of steps.
     const double covered = window_.back().time - window_.front().time;
-    if (covered < window_length - 0.5 * step_) return false;
+    if (covered < length - 0.5 * step_) return false;
     const auto [low, high] = std::ranges::minmax_element(window_, {}, &Sample::value);
     const double change = high->value - low->value;
     return change <= *tolerance_ * 0.5 * std::abs(high->value + low->value);
@@ -47,8 +58,9 @@ bool Steadiness::at_rest() const {
 void Steadiness::record(const State& state, const Summary& summary) {
     if (!tolerance_) return;
     window_.push_back({state.time, watched(summary)});
-    while (window_.front().time < state.time - window_length - 0.5 * step_) window_.pop_front();
-    reached_ = at_rest() && started(state, summary);
+    const double length = window_length(summary);
+    while (window_.front().time < state.time - length - 0.5 * step_) window_.pop_front();
+    reached_ = at_rest(length) && started(state, summary);
 }
 
 }  // namespace crawford

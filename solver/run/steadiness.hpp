@@ -14,7 +14,8 @@ namespace crawford {
 /// The quantity watched is the mean burn rate. Where the scene prescribes it, it cannot tell, and
 /// the largest temperature is watched instead; without heat, the largest strain.
 ///
-/// It is steady when over the last millisecond its largest and smallest value differ by less than
+/// It is steady when over the last millisecond, or over a hundredth of the relaxation time 4 D/r_b^2
+/// where that is longer, its largest and smallest value differ by less than
 /// `until_steady` of their mean: the range, because the difference of two ends vanishes at every
 /// turning point of an oscillation. And it is judged only once every column of a regressing surface
 /// has burnt down one thermal layer D/r_b of the slowest material to adapt (D its diffusivity, r_b
@@ -33,7 +34,7 @@ public:
     /// Whether the run may end; never, where the scene does not ask for it.
     bool reached() const { return reached_; }
 
-    /// The last millisecond, to be kept with a checkpoint so that a restarted run ends where the
+    /// What is looked back at, to be kept with a checkpoint so that a restarted run ends where the
     /// unbroken one does.
     std::vector<Sample> window() const { return {window_.begin(), window_.end()}; }
     void resume(const std::vector<Sample>& window) { window_.assign(window.begin(), window.end()); }
@@ -41,7 +42,8 @@ public:
 private:
     double watched(const Summary& summary) const;
     bool started(const State& state, const Summary& summary) const;
-    bool at_rest() const;
+    double window_length(const Summary& summary) const;
+    bool at_rest(double length) const;
 
     Physics physics_;
     std::optional<double> tolerance_;

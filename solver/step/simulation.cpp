@@ -10,7 +10,7 @@
 #include "solver/projection/projection.hpp"
 #include "solver/reference_map/reference_map.hpp"
 #include "solver/scene/defaults.hpp"
-#include "solver/stress/stress_step.hpp"
+#include "solver/step/first_load.hpp"
 
 namespace crawford {
 
@@ -38,12 +38,6 @@ void check_finite(const StressField& stress) {
         }
 }
 
-/// What clustered columns are clustered about: the sides of the strip.
-double interface_of(const Scene& scene) {
-    const auto* sandwich = std::get_if<Sandwich>(&scene.morphology.shape);
-    return sandwich ? 0.5 * sandwich->strip : 0.0;
-}
-
 }  // namespace
 
 struct Simulation::Modules {
@@ -58,6 +52,7 @@ struct Simulation::Modules {
     std::unique_ptr<StressStep> stress;
     std::unique_ptr<Projection> projection;
     State state;
+    bool loaded = false;  ///< state is under the first load
     Stopwatch stopwatch;
     int solver_iterations = 0;
     double regression_rate = 0.0;    ///< of the last step [m/s]
@@ -66,7 +61,7 @@ struct Simulation::Modules {
     Modules(Scene s, Sources given)
         : scene(std::move(s)),
           sources(std::move(given)),
-          grid(scene.domain, interface_of(scene)),
+          grid(scene.domain, strip_side(scene)),
           materials(scene.morphology, grid, scene.numerics),
           law(scene.physics.regression, scene.surface),
           front(front_motion(scene.numerics.front, grid, materials, law)),
@@ -89,6 +84,16 @@ struct Simulation::Modules {
             for (int i = 0; i < grid.node_columns(); ++i)
                 of_material.push_back(velocity(i, grid.rows()));
         return front->rate({surface, temperature, of_material}, length);
+    }
+
+    /// Puts the state at the start under its load. Of a solid that neither burns nor is heated the
+    /// load is all there is, and the velocity of the first step is the answer.
+    void load() {
+        const Physics& p = scene.physics;
+        if (stress && scene.surface.pressure > 0.0 && (p.heat || p.regression != Regression::none))
+            state = under_first_load(state, {scene, grid, *stress, *projection});
+        materials.follow(state.surface, state.reference_shift);
+        loaded = true;
     }
 
     /// The state one step of `length` after `now`, at the time `end`.
@@ -213,6 +218,7 @@ Simulation::~Simulation() = default;
 void Simulation::step(double end, double length) {
     State next;
     try {
+        if (!modules_->loaded) modules_->load();
         next = modules_->advanced(modules_->state, end, length);
     } catch (const NumericalFailure& failure) {
         modules_->materials.follow(modules_->state.surface, modules_->state.reference_shift);
@@ -238,6 +244,12 @@ void Simulation::restore(State state) {
     if (state.previous && state.length == 0.0) state.length = modules_->scene.time.step;
     modules_->materials.follow(state.surface, state.reference_shift);
     modules_->state = std::move(state);
+    modules_->loaded = true;
+}
+
+StepNumbers Simulation::step_numbers() const {
+    if (!modules_->heat) return {};
+    return {modules_->heat->coupling(), modules_->heat->contraction()};
 }
 
 void Simulation::forget_factorisation() {

@@ -26,6 +26,12 @@ struct Summary {
     int solver_iterations = 0;       ///< of the projection's linear solver; 0 for a direct one
 };
 
+/// By which the last step can be judged.
+struct StepNumbers {
+    double coupling = 0.0;  ///< largest coupling number of a cell (solver/heat/coupling_number.hpp)
+    double contraction = 0.0;  ///< what a sweep of the heat equation's line relaxation left
+};
+
 class Simulation {
 public:
     /// Allocates what the scene asks for and nothing else, and sets the start of the model:
@@ -54,6 +60,7 @@ public:
     const Grid& grid() const;
     const State& state() const;
     Summary summary() const;
+    StepNumbers step_numbers() const;
     std::vector<ModuleTime> timing() const;
 
     // What follows from the state, computed when asked.

@@ -40,6 +40,7 @@ Rules rules() {
                    {"burning"},
                    {"heat", "stress", "projection", "reference_map"},
                    {"step"},
+                   {"guards"},
                    {"files"},
                    {"run"}};
     rules.lean = {"solver", "reference", "reports"};

@@ -71,6 +71,24 @@ TEST_F(Program, ExplainsItselfToANewcomer) {
     EXPECT_THAT(crawford({"--version"}).output, testing::StartsWith("crawford 0."));
 }
 
+TEST_F(Program, RefusesACouplingThatWouldBurnAtAWrongRate) {
+    const std::vector<std::string> wrong{"burn",  scenes + "sandwich.toml",
+                                         "--set", "time.scheme=bdf2",
+                                         "--set", "numerics.coupling=lagged"};
+    std::vector<std::string> burn = wrong;
+    burn.insert(burn.end(), {"--out", out()});
+    expect_refused(burn, "coupling = 0.7");
+    EXPECT_FALSE(fs::exists(out())) << "nothing is written";
+    std::vector<std::string> check = wrong;
+    check.push_back("--check");
+    EXPECT_EQ(crawford(check).status, 2);
+    check.insert(check.end(), {"--set", "numerics.coupling=adiabatic", "--json"});
+    const Finished sound = crawford(check);
+    EXPECT_EQ(sound.status, 0);
+    const auto json = nlohmann::json::parse(sound.output);
+    EXPECT_NEAR(json.at("predicted").at("coupling").at("limit"), 1.0 / 3.0, 1e-12);
+}
+
 TEST_F(Program, ListsEveryCaseOnALineThatFitsAHundredColumns) {
     const Finished list = crawford({"list"});
     EXPECT_EQ(list.status, 0);
@@ -150,13 +168,20 @@ TEST_F(Program, WritesAPackThatASceneReads) {
 }
 
 TEST_F(Program, SaysWithCodeThreeThatTheNumbersFailed) {
-    const Finished burn =
-        crawford({"burn", scenes + "slab.toml", "--set", "time.step=10 ms", "--set",
-                  "output.snapshots_every=10 ms", "--quiet", "--out", out()});
+    const Finished burn = crawford(
+        {"burn", scenes + "slab.toml", "--set", "time.step=250 us", "--quiet", "--out", out()});
     EXPECT_EQ(burn.status, 3) << burn.output;
-    EXPECT_THAT(burn.output, HasSubstr("crosses"));
-    EXPECT_THAT(burn.output, HasSubstr("reduce time.step"));
+    EXPECT_THAT(burn.output, HasSubstr("crawford: remark: crossing_y = 1.2, limit 1: "));
     EXPECT_THAT(burn.output, HasSubstr("the last good state is kept in"));
+}
+
+TEST_F(Program, RefusesBeforehandAStepThatCannotGoWell) {
+    const std::vector<std::string> burn{
+        "burn",  scenes + "slab.toml",           "--set",   "time.step=10 ms",
+        "--set", "output.snapshots_every=10 ms", "--quiet", "--out",
+        out()};
+    expect_refused(burn, "reduce time.step to 200 us or less");
+    EXPECT_FALSE(fs::exists(out_));
 }
 
 TEST_F(Program, DrawsAFigureWithItsNumbersAndManifest) {

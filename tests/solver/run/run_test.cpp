@@ -153,6 +153,17 @@ TEST_F(OutputRun, IsNotSteadyBeforeAThermalLayerHasBurnt) {
     EXPECT_EQ(steady_step(burning(1e-6), constant, 5e-3), 132) << "the late column counts";
 }
 
+// At 0.03 cm/s the layer relaxes over 4 D/r_b^2 = 7.4 s: what does not move in a millisecond may in
+// 74.
+TEST_F(OutputRun, ASlowBurnIsSteadyByItsOwnRelaxationTime) {
+    Scene scene = burning(1e-3);
+    scene.time.step = 5e-3;
+    const auto settling = [](double t) { return 0.0003 * (1.0 - std::exp(-t / 1.8)); };
+    const long step = steady_step(scene, settling);
+    ASSERT_GT(step, 0);
+    EXPECT_LT(std::exp(-5e-3 * double(step) / 1.8), 0.03) << "what is left to go";
+}
+
 // r = r0 (1 - exp(-t/tau)), tau = 10 ms: the change over the last ms is (e^0.1 - 1) exp(-t/tau) =
 // 1e-4 at 69.6 ms.
 TEST_F(OutputRun, IsSteadyWhenTheRateChangesLessThanAskedPerMillisecond) {

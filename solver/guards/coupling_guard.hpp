@@ -1,0 +1,12 @@
+/// The coupling number against its limit for the scheme and the readings chosen.
+#pragma once
+
+#include "solver/guards/guard.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace crawford {
+
+/// Of a material at a temperature [K].
+Guard coupling_guard(const Scene& scene, const Material& material, double temperature);
+
+}  // namespace crawford

@@ -1,0 +1,163 @@
+#include "solver/guards/grid_guards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace crawford {
+
+namespace {
+
+Guard no_more_than(std::string name, double value, double limit, std::string text) {
+    const bool beyond = !(value <= limit);
+    return {.name = std::move(name),
+            .value = value,
+            .limit = limit,
+            .beyond = beyond ? Beyond::remark : Beyond::nothing,
+            .text = beyond ? std::move(text) : ""};
+}
+
+/// Central differences across a cell of Peclet number Pe leave this of a temperature above the
+/// bottom's.
+double left_below(double peclet) {
+    return (2.0 - peclet) / (2.0 + peclet);
+}
+
+}  // namespace
+
+double narrowest_column(const Grid& grid) {
+    double least = grid.dx(0);
+    for (int i = 1; i < grid.cell_columns(); ++i) least = std::min(least, grid.dx(i));
+    return least;
+}
+
+double lowest_row(const Grid& grid) {
+    double least = grid.height(0);
+    for (int j = 1; j < grid.rows(); ++j) least = std::min(least, grid.height(j));
+    return least;
+}
+
+Guard cell_peclet(const Grid& grid, const Material& material, double burn_rate) {
+    constexpr double cold = 0.02;  // of the rise: what is left below matters to nothing
+    double worst = 0.0;
+    double left = 1.0;
+    for (int j = grid.rows() - 1; j >= 0 && std::abs(left) > cold; --j) {
+        const double peclet = burn_rate * grid.height(j) / diffusivity(material);
+        worst = std::max(worst, peclet);
+        left *= left_below(peclet);
+    }
+    return no_more_than(
+        "cell_peclet", worst, 2.0,
+        "the rows are too high for the thermal layer, T undershoots below it; raise domain.ny");
+}
+
+double deepest_undershoot(const Scene& scene, const Grid& grid, const Material& material,
+                          const SteadySlab& slab) {
+    double left = slab.surface_temperature - scene.bottom.temperature;
+    double lowest = 0.0;
+    for (int j = grid.rows() - 1; j > 0; --j) {
+        left *= left_below(slab.burn_rate * grid.height(j) / diffusivity(material));
+        lowest = std::min(lowest, left);
+    }
+    return std::abs(lowest);
+}
+
+Guard undershoot(double kelvin) {
+    constexpr double limit = 10.0;  // [K], what counts as wrong
+    return no_more_than("undershoot", kelvin, limit,
+                        "K below the bottom's temperature, where nothing cools; raise domain.ny "
+                        "or reduce time.step");
+}
+
+Guard layers_in_window(const Scene& scene, const Material& material, double burn_rate) {
+    constexpr double limit = 5.0;  // e^-5 of the rise is left at the bottom
+    Guard guard{.name = "layers_in_window",
+                .value = scene.domain.depth * burn_rate / diffusivity(material),
+                .limit = limit,
+                .is_least = true};
+    if (guard.value >= limit) return guard;
+    guard.beyond = Beyond::remark;
+    guard.text =
+        fmt::format("the bottom cools the surface of {}; raise domain.depth to {:.4g} um or more",
+                    material.name, std::ceil(1e6 * limit * diffusivity(material) / burn_rate));
+    return guard;
+}
+
+Guard fourier(const Scene& scene, const Grid& grid, const Material& material) {
+    // From here on a zigzag keeps 0.9 of itself in a step and turns its sign (heat_step.hpp); in a
+    // hundred steps nothing is left.
+    constexpr double ringing = 9.5;
+    constexpr double forgotten = 100.0;
+    const double height = lowest_row(grid);
+    Guard guard{.name = "fourier",
+                .value = diffusivity(material) * scene.time.step / (height * height),
+                .limit = ringing};
+    const bool rings = scene.time.scheme == Stepping::euler && guard.value > ringing;
+    if (!rings || scene.time.end / scene.time.step >= forgotten) return guard;
+    guard.beyond = Beyond::remark;
+    guard.text =
+        "the surface rings for some 100 steps after the start, longer than this run; reduce "
+        "time.step or take time.scheme = \"bdf2\"";
+    return guard;
+}
+
+Guard relaxation(const Scene& scene, const Grid& grid, const Material& material) {
+    if (grid.cell_columns() == 1) return relaxation(0.0, scene);
+    const double width = narrowest_column(grid);
+    const double share = scene.time.scheme == Stepping::bdf2 ? 2.0 / 3.0 : 0.5;
+    const double a = share * diffusivity(material) * scene.time.step / (width * width);
+    const double jacobi = 2.0 * a / (1.0 + 2.0 * a);
+    return relaxation(jacobi * jacobi, scene);
+}
+
+Guard relaxation(double contraction, const Scene& scene) {
+    constexpr double sweeps = 2000.0;  // line_relaxation.cpp allows no more
+    return no_more_than("relaxation", contraction,
+                        std::pow(scene.numerics.heat_tolerance, 1.0 / sweeps),
+                        "the line relaxation may not converge; reduce time.step");
+}
+
+Guard pressing(const Scene& scene, const Grid& grid, const Material& material) {
+    const double confined = material.bulk_modulus + 4.0 / 3.0 * material.shear_modulus;
+    const double strain = scene.surface.pressure / confined;
+    const double cells = scene.domain.depth / lowest_row(grid);
+    constexpr double linear = 0.1;  // of the depth: small strain ends there
+    return no_more_than("pressing", strain * cells, linear * cells,
+                        "the pressure alone squeezes the solid by more than a tenth, beyond what "
+                        "small strain describes; lower surface.pressure");
+}
+
+Guard crossing_x(double cells) {
+    return no_more_than("crossing_x", cells, 1.0,
+                        "the solid crosses more than a column in a step; reduce time.step");
+}
+
+Guard crossing_y(double cells) {
+    return no_more_than(
+        "crossing_y", cells, 1.0,
+        "the solid crosses more than a row in a step, and what it carries is inaccurate; reduce "
+        "time.step");
+}
+
+Guard predicted_crossing_y(const Scene& scene, const Grid& grid, double burn_rate) {
+    Guard guard = crossing_y(burn_rate * scene.time.step / lowest_row(grid));
+    // A part that burns by itself may burn faster than it will beside another.
+    constexpr double beyond_doubt = 1.5;
+    if (scene.physics.mechanics && guard.value > beyond_doubt) {
+        guard.beyond = Beyond::refusal;
+        guard.text = fmt::format(
+            "the solid would cross more rows in a step than stress can be carried; reduce "
+            "time.step to {:g} us or less",
+            rounded_down(1e6 * scene.time.step / guard.value));
+    }
+    return guard;
+}
+
+Guard front_crossing(double columns) {
+    return no_more_than("front_crossing", columns, 1.0,
+                        "slopes run over more than a column of the surface in a step; reduce "
+                        "time.step");
+}
+
+}  // namespace crawford

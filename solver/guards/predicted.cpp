@@ -1,0 +1,86 @@
+#include "solver/guards/predicted.hpp"
+
+#include <algorithm>
+
+#include "solver/guards/burning_guards.hpp"
+#include "solver/guards/coupling_guard.hpp"
+#include "solver/guards/grid_guards.hpp"
+#include "solver/guards/steady_slab.hpp"
+#include "solver/scene/defaults.hpp"
+
+namespace crawford {
+
+namespace {
+
+/// A material of the scene and how it burns by itself.
+struct Part {
+    size_t number;
+    const Material& material;
+    SlabAnswer answer;
+
+    bool burns() const { return answer.burning == Burning::steady; }
+    double burn_rate() const { return answer.slab.burn_rate; }
+};
+
+std::vector<Part> parts_of(const Scene& scene) {
+    std::vector<Part> parts;
+    for (size_t k = 0; k < scene.morphology.materials.size(); ++k)
+        parts.push_back({k, scene.morphology.materials[k], steady_slab(scene, k)});
+    return parts;
+}
+
+/// Keeps of each name the guard that is nearest its limit, or beyond it.
+void add_worst(Guards& guards, Guard guard) {
+    const auto same = std::ranges::find(guards, guard.name, &Guard::name);
+    if (same == guards.end())
+        guards.push_back(std::move(guard));
+    else if (is_worse(guard, *same))
+        *same = std::move(guard);
+}
+
+/// \returns whether it burns steadily.
+bool add_burning(Guards& guards, const Scene& scene, const Grid& grid, const Part& part) {
+    const double rate = part.burn_rate();
+    if (part.material.heat_of_reaction > 0.0 && scene.physics.regression == Regression::pyrolysis) {
+        Guard swings = onset(scene, part.material, part.answer.slab);
+        const bool steady = swings.beyond == Beyond::nothing;
+        add_worst(guards, std::move(swings));
+        if (!steady) return false;  // what is steady is then never seen
+    }
+    add_worst(guards, cell_peclet(grid, part.material, rate));
+    add_worst(guards, undershoot(deepest_undershoot(scene, grid, part.material, part.answer.slab)));
+    add_worst(guards, layers_in_window(scene, part.material, rate));
+    add_worst(guards, front_coupling(scene, grid, part.material, part.answer.slab));
+    return true;
+}
+
+}  // namespace
+
+Guards predicted(const Scene& scene) {
+    const Grid grid(scene.domain, strip_side(scene));
+    Guards guards;
+    double fastest = scene.physics.regression == Regression::fixed ? scene.surface.burn_rate : 0.0;
+    for (const Part& part : parts_of(scene)) {
+        if (auto without = burning_solution(scene, part.number, part.answer))
+            add_worst(guards, std::move(*without));
+        const double hottest =
+            part.burns() ? part.answer.slab.surface_temperature : scene.bottom.temperature;
+        if (scene.physics.heat && scene.physics.mechanics)
+            add_worst(guards, coupling_guard(scene, part.material, hottest));
+        if (scene.physics.heat) {
+            add_worst(guards, fourier(scene, grid, part.material));
+            add_worst(guards, relaxation(scene, grid, part.material));
+        }
+        if (scene.physics.mechanics) add_worst(guards, pressing(scene, grid, part.material));
+        if (part.burns() && add_burning(guards, scene, grid, part))
+            fastest = std::max(fastest, part.burn_rate());
+    }
+    if (fastest > 0.0) {
+        guards.push_back(predicted_crossing_y(scene, grid, fastest));
+        if (grid.cell_columns() > 1)
+            guards.push_back(front_crossing(fastest * scene.time.step / narrowest_column(grid)));
+    }
+    return guards;
+}
+
+}  // namespace crawford

@@ -1,0 +1,107 @@
+#include "solver/guards/steady_slab.hpp"
+
+#include <cmath>
+
+namespace crawford {
+
+namespace {
+
+double beta(const Material& m, ThermalStress reading) {
+    const double of_one = m.thermal_expansion * m.bulk_modulus;
+    return reading == ThermalStress::three_alpha_bulk ? 3.0 * of_one : of_one;
+}
+
+class Balance {
+public:
+    Balance(const Scene& scene, size_t number)
+        : scene_(scene),
+          material_(scene.morphology.materials[number]),
+          flux_(scene.surface.heat_flux[number]),
+          solid_(coupled(material_, scene.numerics)) {}
+
+    double rate(double surface) const {
+        if (scene_.physics.regression == Regression::fixed) return scene_.surface.burn_rate;
+        return material_.pyrolysis_prefactor *
+               std::exp(-material_.activation_temperature / surface);
+    }
+
+    /// What a surface this hot needs, less what it gets [W/m^2].
+    double lacking(double surface) const {
+        const double absorbed = material_.heat_of_reaction * material_.density;
+        return rate(surface) * (heat_taken(surface) - absorbed) - flux_;
+    }
+
+private:
+    /// The integral of the header, of rho c + w T with both constant [J/m^3]; c_v = c_p - beta_w^2
+    /// T/(rho K) takes some of w away again.
+    double heat_taken(double surface) const {
+        const double start = scene_.bottom.temperature;
+        const double rise = surface - start;
+        if (!scene_.physics.mechanics) return solid_.heat_capacity * rise;
+        const double confined = solid_.bulk_modulus + 4.0 / 3.0 * solid_.shear_modulus;
+        const double theta = solid_.stress_of_heat / confined;
+        double w = solid_.heat_of_stretch * theta;
+        if (scene_.numerics.heat_capacity == HeatCapacity::constant_volume)
+            w -= solid_.heat_of_stretch * solid_.heat_of_stretch / solid_.bulk_modulus;
+        if (theta == 0.0) return solid_.heat_capacity * rise + w * rise * (start + 0.5 * rise);
+        const double grown = std::expm1(theta * rise) / theta;
+        return (solid_.heat_capacity + w * start - w / theta) * grown +
+               w * rise * std::exp(theta * rise) / theta;
+    }
+
+    const Scene& scene_;
+    const Material& material_;
+    double flux_;
+    CoupledSolid solid_;
+};
+
+/// The coolest surface above `cold` that lacks nothing. An exothermic one may have several.
+std::optional<double> coolest_root(const Balance& balance, double cold) {
+    constexpr int parts = 400;
+    double low = cold;
+    for (int k = 1; k <= parts; ++k) {
+        double high = cold * std::pow(hottest_surface / cold, double(k) / parts);
+        if (!(balance.lacking(high) >= 0.0)) {
+            low = high;
+            continue;
+        }
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (balance.lacking(middle) >= 0.0 ? high : low) = middle;
+        }
+        return high;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+CoupledSolid coupled(const Material& m, const Numerics& numerics) {
+    return {.heat_capacity = m.density * m.specific_heat,
+            .bulk_modulus = m.bulk_modulus,
+            .shear_modulus = m.shear_modulus,
+            .stress_of_heat = beta(m, numerics.thermal_stress),
+            .heat_of_stretch = beta(m, numerics.stress_work)};
+}
+
+double heat_capacity(const CoupledSolid& solid, HeatCapacity reading, double temperature) {
+    if (reading == HeatCapacity::constant_pressure) return solid.heat_capacity;
+    return solid.heat_capacity -
+           solid.heat_of_stretch * solid.heat_of_stretch * temperature / solid.bulk_modulus;
+}
+
+double diffusivity(const Material& m) {
+    return m.thermal_conductivity / (m.density * m.specific_heat);
+}
+
+SlabAnswer steady_slab(const Scene& scene, size_t material) {
+    const bool burns = scene.physics.heat && scene.physics.regression != Regression::none;
+    if (!burns || scene.surface.heat_flux[material] <= 0.0) return {Burning::none, {}};
+    const Balance balance(scene, material);
+    if (balance.lacking(scene.bottom.temperature) > 0.0) return {Burning::too_cold, {}};
+    const auto surface = coolest_root(balance, scene.bottom.temperature);
+    if (!surface) return {Burning::too_hot, {}};
+    return {Burning::steady, {*surface, balance.rate(*surface)}};
+}
+
+}  // namespace crawford
