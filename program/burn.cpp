@@ -7,9 +7,12 @@
 #include <optional>
 
 #include "base/terminal.hpp"
+#include "program/burn_folder.hpp"
 #include "program/commands.hpp"
+#include "program/interrupt.hpp"
 #include "solver/run/timing_table.hpp"
 #include "solver/scene/read_scene.hpp"
+#include "solver/scene/write_scene.hpp"
 
 namespace crawford {
 
@@ -21,9 +24,25 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
         "largest strain {:.4g}\n"
         "{} steps and their output took {:.1f} s; snapshots, history, checkpoints and "
         "manifest.json are in {}\n",
-        outcome.steady ? "steady" : "ended", outcome.time, outcome.step,
-        outcome.summary.mean_burn_rate * 100.0, outcome.summary.largest_temperature,
-        outcome.summary.largest_strain, outcome.step, outcome.seconds, files.directory.string());
+        outcome.interrupted ? "interrupted"
+        : outcome.steady    ? "steady"
+                            : "ended",
+        outcome.time, outcome.step, outcome.summary.mean_burn_rate * 100.0,
+        outcome.summary.largest_temperature, outcome.summary.largest_strain, outcome.step,
+        outcome.seconds, files.directory.string());
+}
+
+/// What goes on where an interrupted run has left off: the same command, from its checkpoint.
+std::string command_that_goes_on(const CommandLine& command, const BurnOutcome& outcome) {
+    CommandLine again;
+    for (size_t k = 0; k < command.size(); ++k) {
+        if (command[k] == "--restart")
+            ++k;
+        else if (!command[k].starts_with("--restart="))
+            again.push_back(command[k]);
+    }
+    again.insert(again.end(), {"--restart", outcome.checkpoint.string()});
+    return typed(again);
 }
 
 /// Shows on a terminal how far a run has come.
@@ -43,17 +62,30 @@ private:
 int burn(const BurnSceneOptions& options, const CommandLine& command) {
     const Scene scene = read_scene(options.scene, options.set);
     const std::string name = options.scene.stem().string();
+    const std::filesystem::path folder =
+        options.out.empty() ? std::filesystem::path("out") / name : options.out;
+    BurnFolder owned(folder);
+    refuse_results_of_others(folder, {name, options.scene, to_toml(scene), !options.out.empty()},
+                             options.restart.has_value());
+    if (!options.restart) remove_results(folder, name);
+    const Interrupt interrupt;
     Watch watch;
-    BurnOptions files{
-        .name = name,
-        .directory = options.out.empty() ? std::filesystem::path("out") / name : options.out,
-        .restart = options.restart,
-        .command = command};
-    if (!options.quiet) files.watch = std::ref(watch);
+    BurnOptions files{.name = name,
+                      .directory = folder,
+                      .restart = options.restart,
+                      .command = command,
+                      .watch =
+                          [&](const BurnProgress& at) {
+                              owned.beat();
+                              if (!options.quiet) watch(at);
+                          },
+                      .interrupted = [&] { return interrupt.signal() != 0; }};
     const BurnOutcome outcome = burn(scene, files);
     if (options.timing) std::cout << timing_table(outcome.timing, outcome.seconds, outcome.steps);
     tell(outcome, files);
-    return exit_code::done;
+    if (!outcome.interrupted) return exit_code::done;
+    std::cout << "go on with: " << command_that_goes_on(command, outcome) << '\n';
+    return exit_code_of(interrupt.signal());
 }
 
 }  // namespace crawford

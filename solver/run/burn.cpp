@@ -44,7 +44,7 @@ public:
             give_up(recorder, failure);
         }
         const auto checkpoint = recorder.keep(simulation_, steadiness_.window());
-        write("done");
+        write(interrupted_ ? "interrupted" : "done");
         return outcome(checkpoint);
     }
 
@@ -81,7 +81,9 @@ private:
         };
         const Stop at_end = at_the_end(simulation_);
         const Stop ended = [&](const Simulation& simulation) {
-            return at_end(simulation) || steadiness_.reached();
+            if (at_end(simulation) || steadiness_.reached()) return true;
+            interrupted_ = options_.interrupted && options_.interrupted();
+            return interrupted_;
         };
         run_until(simulation_, ended, {summarise, record, show});
     }
@@ -113,6 +115,7 @@ private:
         return {.step = state.step,
                 .time = state.time,
                 .steady = steadiness_.reached(),
+                .interrupted = interrupted_,
                 .summary = simulation_.summary(),
                 .seconds = wall.count(),
                 .steps = state.step - manifest_.first_step,
@@ -126,6 +129,7 @@ private:
     Simulation simulation_;
     Steadiness steadiness_;
     Manifest manifest_;
+    bool interrupted_ = false;
 };
 
 }  // namespace

@@ -26,12 +26,14 @@ struct BurnOptions {
     std::vector<std::string> command = {};                ///< the command line, for the manifest
     std::vector<std::uint64_t> seeds = {};                ///< of what was random in the scene
     std::function<void(const BurnProgress&)> watch = {};  ///< told after each step
+    std::function<bool()> interrupted = {};  ///< asked before each step: whether to leave off
 };
 
 struct BurnOutcome {
     long step;                         ///< the last
     double time;                       ///< reached [s]
     bool steady;                       ///< ended by time.until_steady
+    bool interrupted;                  ///< left off before its end
     Summary summary;                   ///< of the last step
     double seconds;                    ///< wall time of the steps and their output
     long steps;                        ///< done by this run
