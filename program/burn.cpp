@@ -4,8 +4,10 @@
 
 #include <functional>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/errors.hpp"
 #include "base/terminal.hpp"
 #include "program/burn_folder.hpp"
 #include "program/commands.hpp"
@@ -30,6 +32,15 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
         outcome.time, outcome.step, outcome.summary.mean_burn_rate * 100.0,
         outcome.summary.largest_temperature, outcome.summary.largest_strain, outcome.step,
         outcome.seconds, files.directory.string());
+}
+
+/// The name goes into files that are UTF-8 by their standards.
+void refuse_other_encodings(const std::string& name) {
+    try {
+        static_cast<void>(nlohmann::json(name).dump());
+    } catch (const nlohmann::json::type_error&) {
+        throw InputError("the name of the scene file is not UTF-8; rename it, say to scene.toml");
+    }
 }
 
 /// What goes on where an interrupted run has left off: the same command, from its checkpoint.
@@ -62,6 +73,7 @@ private:
 int burn(const BurnSceneOptions& options, const CommandLine& command) {
     const Scene scene = read_scene(options.scene, options.set);
     const std::string name = options.scene.stem().string();
+    refuse_other_encodings(name);
     const std::filesystem::path folder =
         options.out.empty() ? std::filesystem::path("out") / name : options.out;
     BurnFolder owned(folder);

@@ -1,6 +1,9 @@
 #include "program/interrupt.hpp"
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <iostream>
 
 namespace crawford {
 
@@ -19,7 +22,7 @@ Interrupt::Interrupt() {
     caught = 0;
     struct sigaction action {};
     action.sa_handler = note;
-    action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+    action.sa_flags = SA_RESTART;
     ::sigaction(SIGINT, &action, &old_interrupt_);
     ::sigaction(SIGTERM, &action, &old_terminate_);
 }
@@ -32,6 +35,17 @@ Interrupt::~Interrupt() {
 int Interrupt::signal() const {
     return caught;
 }
+
+LeaveOnSignal::LeaveOnSignal(const std::vector<std::string>& command)
+    : waiting_([this, again = typed(command)](const std::stop_token& done) {
+          constexpr std::chrono::milliseconds glance{50};
+          for (; !done.stop_requested(); std::this_thread::sleep_for(glance)) {
+              if (interrupt_.signal() == 0) continue;
+              std::cerr << "\ncrawford: interrupted; what is done is kept. Go on with: " << again
+                        << std::endl;
+              std::_Exit(exit_code_of(interrupt_.signal()));
+          }
+      }) {}
 
 int exit_code_of(int signal) {
     return 128 + signal;

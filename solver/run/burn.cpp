@@ -42,6 +42,9 @@ public:
             advance(recorder);
         } catch (const NumericalFailure& failure) {
             give_up(recorder, failure);
+        } catch (const std::exception& problem) {
+            note_end(problem);
+            throw;
         }
         const auto checkpoint = recorder.keep(simulation_, steadiness_.window());
         write(interrupted_ ? "interrupted" : "done");
@@ -99,6 +102,15 @@ private:
             kept = fmt::format("the last good state is lost: {}", error.what());
         }
         throw with_advice(failure, kept);
+    }
+
+    /// Says in the manifest how it ended, as far as anything can still be written.
+    void note_end(const std::exception& problem) {
+        try {
+            write(std::string("failed: ") + problem.what());
+        } catch (const InputError&) {
+            // The disk is full, say: what has gone wrong before is told, and that is the cause.
+        }
     }
 
     void write(const std::string& outcome) {

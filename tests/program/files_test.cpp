@@ -137,6 +137,22 @@ TEST_F(ProgramFiles, LeavesOffInGoodOrder) {
     }
 }
 
+TEST_F(ProgramFiles, KeepsWhatIsDoneOfStudies) {
+    const Finished run =
+        run_program({"timeout", "--preserve-status", "-s", "INT", "1", program_path(), "verify",
+                     "sandwich-orders", "--quiet", "--out", out()});
+    EXPECT_EQ(run.status, 130) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("verify sandwich-orders --quiet --out " + out()));
+}
+
+TEST_F(ProgramFiles, RefusesANameThatIsNotUtf8) {
+    fs::create_directories(out_);
+    const fs::path latin = out_ / "ap\xE9.toml";
+    fs::copy_file(scenes + "slab.toml", latin);
+    expect_refused({"burn", latin.string(), "--out", (out_ / "burn").string()}, "is not UTF-8");
+    EXPECT_FALSE(fs::exists(out_ / "burn"));
+}
+
 TEST_F(ProgramFiles, GoesOnWithValuesEqualToRounding) {
     EXPECT_EQ(crawford(short_burn(out())).status, 0);
     const Finished on =
