@@ -4,13 +4,19 @@
 
 #include <functional>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/errors.hpp"
 #include "base/terminal.hpp"
+#include "program/burn_folder.hpp"
 #include "program/check.hpp"
 #include "program/commands.hpp"
+#include "program/interrupt.hpp"
+#include "solver/guards/predicted.hpp"
 #include "solver/run/timing_table.hpp"
 #include "solver/scene/read_scene.hpp"
+#include "solver/scene/write_scene.hpp"
 
 namespace crawford {
 
@@ -22,15 +28,40 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
         "largest strain {:.4g}\n"
         "{} steps and their output took {:.1f} s; snapshots, history, checkpoints and "
         "manifest.json are in {}\n",
-        outcome.steady ? "steady" : "ended", outcome.time, outcome.step,
-        outcome.summary.mean_burn_rate * 100.0, outcome.summary.largest_temperature,
-        outcome.summary.largest_strain, outcome.step, outcome.seconds, files.directory.string());
+        outcome.interrupted ? "interrupted"
+        : outcome.steady    ? "steady"
+                            : "ended",
+        outcome.time, outcome.step, outcome.summary.mean_burn_rate * 100.0,
+        outcome.summary.largest_temperature, outcome.summary.largest_strain, outcome.step,
+        outcome.seconds, files.directory.string());
     if (outcome.chosen)
         std::cout << fmt::format(
             "steps of {:.3g} to {:.3g} us; tried again, shorter: {} for their error, {} that "
             "failed\n",
             outcome.chosen->shortest * 1e6, outcome.chosen->longest * 1e6, outcome.chosen->rejected,
             outcome.chosen->failed);
+}
+
+/// The name goes into files that are UTF-8 by their standards.
+void refuse_other_encodings(const std::string& name) {
+    try {
+        static_cast<void>(nlohmann::json(name).dump());
+    } catch (const nlohmann::json::type_error&) {
+        throw InputError("the name of the scene file is not UTF-8; rename it, say to scene.toml");
+    }
+}
+
+/// What goes on where an interrupted run has left off: the same command, from its checkpoint.
+std::string command_that_goes_on(const CommandLine& command, const BurnOutcome& outcome) {
+    CommandLine again;
+    for (size_t k = 0; k < command.size(); ++k) {
+        if (command[k] == "--restart")
+            ++k;
+        else if (!command[k].starts_with("--restart="))
+            again.push_back(command[k]);
+    }
+    again.insert(again.end(), {"--restart", outcome.checkpoint.string()});
+    return typed(again);
 }
 
 /// Shows on a terminal how far a run has come.
@@ -51,20 +82,36 @@ int burn(const BurnSceneOptions& options, const CommandLine& command) {
     const Scene scene = read_scene(options.scene, options.set);
     if (options.check) return check(scene, options.json);
     const std::string name = options.scene.stem().string();
+    refuse_other_encodings(name);
+    const std::filesystem::path folder =
+        options.out.empty() ? std::filesystem::path("out") / name : options.out;
+    BurnFolder owned(folder);
+    refuse_results_of_others(folder, {name, options.scene, to_toml(scene), !options.out.empty()},
+                             options.restart.has_value());
+    refuse(predicted(scene));  // before anything of an earlier run is removed
+    if (!options.restart) remove_results(folder, name);
+    const Interrupt interrupt;
     Watch watch;
-    BurnOptions files{
-        .name = name,
-        .directory = options.out.empty() ? std::filesystem::path("out") / name : options.out,
-        .restart = options.restart,
-        .command = command};
-    files.remark = [](const Guard& guard) {
-        std::cerr << "crawford: remark: " << in_words(guard) << '\n';
-    };
-    if (!options.quiet) files.watch = std::ref(watch);
+    BurnOptions files{.name = name,
+                      .directory = folder,
+                      .restart = options.restart,
+                      .command = command,
+                      .watch =
+                          [&](const BurnProgress& at) {
+                              owned.beat();
+                              if (!options.quiet) watch(at);
+                          },
+                      .remark =
+                          [](const Guard& guard) {
+                              std::cerr << "crawford: remark: " << in_words(guard) << '\n';
+                          },
+                      .interrupted = [&] { return interrupt.signal() != 0; }};
     const BurnOutcome outcome = burn(scene, files);
     if (options.timing) std::cout << timing_table(outcome.timing, outcome.seconds, outcome.steps);
     tell(outcome, files);
-    return exit_code::done;
+    if (!outcome.interrupted) return exit_code::done;
+    std::cout << "go on with: " << command_that_goes_on(command, outcome) << '\n';
+    return exit_code_of(interrupt.signal());
 }
 
 }  // namespace crawford

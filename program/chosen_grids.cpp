@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <numeric>
 #include <sstream>
 
 #include "base/errors.hpp"
@@ -14,17 +15,31 @@ namespace crawford {
 
 namespace {
 
-std::vector<int> numbers_in(const std::string& text) {
-    std::vector<int> values;
+std::vector<std::string> words_in(const std::string& text) {
+    std::vector<std::string> found;
     std::istringstream words(text);
-    for (std::string word; std::getline(words, word, ',');) {
-        int value = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (word.empty() || error != std::errc() || end != word.data() + word.size())
-            throw InputError(fmt::format("--axis: \"{}\" is no number; give NAME=N,N,...", word));
-        values.push_back(value);
-    }
-    return values;
+    for (std::string word; std::getline(words, word, ',');) found.push_back(word);
+    return found;
+}
+
+/// How far from its own grids a study is run: coarser than a quarter of its coarsest, its pieces
+/// (patches, layers, samples) have no cells of their own; finer than eight times its finest, a run
+/// takes days and all the memory. Its steps and samples divide its own grids and half of them, and
+/// would be cut to whole numbers between.
+void refuse_out_of_reach(const reports::Study& study, const std::vector<int>& values,
+                         const std::string& typed) {
+    constexpr int coarser = 4;
+    constexpr int finer = 8;
+    const auto [least, most] = std::ranges::minmax(study.grids());
+    int divisor = 0;
+    for (const int grid : study.grids()) divisor = std::gcd(divisor, grid);
+    divisor = std::max(1, divisor / 2);
+    const int smallest = std::max(divisor, least / coarser);
+    const long largest = long(most) * finer;
+    for (const int value : values)
+        if (value < smallest || value > largest || value % divisor != 0)
+            throw InputError(fmt::format("{}: {} takes {} from {} to {} in multiples of {}", typed,
+                                         study.name(), study.axis(), smallest, largest, divisor));
 }
 
 /// Axes that the studies refine, each once.
@@ -37,6 +52,19 @@ std::vector<std::string> axes_of(const std::vector<ChosenStudy>& chosen) {
 }
 
 }  // namespace
+
+std::vector<int> whole_numbers(const std::string& option, const std::vector<std::string>& words) {
+    std::vector<int> values;
+    for (const std::string& word : words) {
+        int value = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (word.empty() || error != std::errc() || end != word.data() + word.size())
+            throw InputError(fmt::format("{} = {}: \"{}\" is no whole number", option,
+                                         fmt::join(words, ","), word));
+        values.push_back(value);
+    }
+    return values;
+}
 
 ChosenGrids::ChosenGrids(const VerifyOptions& options, const std::vector<ChosenStudy>& chosen)
     : values_(options.grids), named_(!options.studies.empty()) {
@@ -57,7 +85,7 @@ void ChosenGrids::read_axis(const std::string& text) {
     axis_ = text.substr(0, equals);
     if (equals == std::string::npos || axis_.empty())
         throw InputError(fmt::format("--axis = {}; give NAME=N,N,...", text));
-    values_ = numbers_in(text.substr(equals + 1));
+    values_ = whole_numbers("--axis " + axis_, words_in(text.substr(equals + 1)));
     if (values_.empty()) throw InputError(fmt::format("--axis = {}: no value is given", text));
 }
 
@@ -80,7 +108,10 @@ void ChosenGrids::refuse_several_axes(const std::vector<std::string>& names,
 std::optional<std::vector<int>> ChosenGrids::of(const reports::Study& study) const {
     if (!any()) return {};
     if (!axis_.empty() && study.axis() != axis_) return std::vector<int>{};
-    if (named_) return values_;
+    if (named_) {
+        refuse_out_of_reach(study, values_, typed());
+        return values_;
+    }
     auto values = study.grids();
     std::erase_if(values,
                   [&](int value) { return std::ranges::find(values_, value) == values_.end(); });

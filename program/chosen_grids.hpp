@@ -10,6 +10,10 @@
 
 namespace crawford {
 
+/// The decimal whole numbers that an option was given: "032" is 32.
+/// \throws InputError naming the option and the first word that is none.
+std::vector<int> whole_numbers(const std::string& option, const std::vector<std::string>& words);
+
 /// Values that the command line gives for the axis that studies refine.
 class ChosenGrids {
 public:
@@ -22,6 +26,7 @@ public:
 
     /// What a study runs on: nothing said, its own. Of a study that is named all values that were
     /// given, of others those of its own that were. None at all if it refines another axis.
+    /// \throws InputError if a value is out of reach of a study that is named.
     std::optional<std::vector<int>> of(const reports::Study& study) const;
 
     /// "--grids = 32,64" or "--axis = rows=32,64", for messages.

@@ -9,6 +9,7 @@
 #include "base/build_info.hpp"
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "program/chosen_grids.hpp"
 #include "program/help.hpp"
 
 namespace crawford {
@@ -25,6 +26,7 @@ struct Parser {
     ReportOptions report;
     BurnSceneOptions burn;
     PackOptions pack;
+    bool quiet = false;  ///< said before the command
     CLI::App* list_command = nullptr;
     CLI::App* run_command = nullptr;
     CLI::App* ledger_command = nullptr;
@@ -38,6 +40,7 @@ struct Parser {
                              fmt::format("crawford {} ({}, {})", version(), revision(), compiler()),
                              "Print version, revision and compiler");
         app.require_subcommand(1);
+        add_quiet(&app, quiet);
         app.get_formatter()->column_width(34);
         app.footer(help::program_examples);
         add_list();
@@ -95,7 +98,12 @@ struct Parser {
         verify_command = app.add_subcommand("verify", help::verify);
         verify_command->add_option("STUDY", verify.studies, "Studies to run; all if none is named");
         verify_command
-            ->add_option("--grids", verify.grids, "Only these grids: a quick look, or a finer one")
+            ->add_option_function<std::vector<std::string>>(
+                "--grids",
+                [this](const std::vector<std::string>& words) {
+                    verify.grids = whole_numbers("--grids", words);
+                },
+                "Only these grids: a quick look, or a finer one")
             ->type_name("N,N,...")
             ->delimiter(',')
             ->allow_extra_args(false);
@@ -108,7 +116,8 @@ struct Parser {
                                  "Run nothing: judge the records that lie in DIR/records");
         add_against();
         verify_command->add_flag("--verbose", verify.verbose, "Print every gate in full");
-        verify_command->add_option("--junit", verify.junit, "Write JUnit XML, a test a gate")
+        refuse_empty(
+            verify_command->add_option("--junit", verify.junit, "Write JUnit XML, a test a gate"))
             ->type_name("FILE");
         add_out(verify_command, verify.out, "out/verify")->capture_default_str();
         add_quiet(verify_command, verify.quiet);
@@ -134,7 +143,7 @@ struct Parser {
 
     void add_report() {
         report_command = app.add_subcommand("report", help::report);
-        report_command->add_option("--out", report.out, "Directory with results")
+        refuse_empty(report_command->add_option("--out", report.out, "Directory with results"))
             ->type_name("DIR")
             ->capture_default_str();
         report_command->footer(help::report_examples);
@@ -146,7 +155,8 @@ struct Parser {
             ->required();
         add_set(burn_command, burn.set, "surface.pressure=\"3 MPa\"");
         add_out(burn_command, burn.out, "out/<name of the scene>");
-        burn_command->add_option("--restart", burn.restart, "Go on from a checkpoint of this scene")
+        refuse_empty(burn_command->add_option("--restart", burn.restart,
+                                              "Go on from a checkpoint of this scene"))
             ->type_name("FILE");
         burn_command->add_flag("--timing", burn.timing, "Print where the time went");
         auto* const check = burn_command->add_flag(
@@ -160,8 +170,8 @@ struct Parser {
         pack_command = app.add_subcommand("pack", help::pack);
         pack_command->add_option("SCENE", pack.scene, "Scene file (TOML) with a pack")->required();
         add_set(pack_command, pack.set, "morphology.seed=2");
-        pack_command
-            ->add_option("--out", pack.out, "Table to write, else out/<name of the scene>.csv")
+        refuse_empty(pack_command->add_option("--out", pack.out,
+                                              "Table to write, else out/<name of the scene>.csv"))
             ->type_name("FILE");
         pack_command->footer(help::pack_examples);
     }
@@ -172,9 +182,18 @@ struct Parser {
             ->allow_extra_args(false);
     }
 
+    /// An empty name is what an unset variable leaves of a path: never the usual place.
+    static CLI::Option* refuse_empty(CLI::Option* option) {
+        return option->check([](const std::string& path) {
+            return path.empty() ? std::string("is empty; name a path or leave it out")
+                                : std::string();
+        });
+    }
+
     static CLI::Option* add_out(CLI::App* command, std::filesystem::path& out, const char* usual) {
-        return command
-            ->add_option("--out", out, fmt::format("Directory for the results, else {}", usual))
+        return refuse_empty(
+                   command->add_option("--out", out,
+                                       fmt::format("Directory for the results, else {}", usual)))
             ->type_name("DIR");
     }
 
@@ -253,6 +272,10 @@ std::variant<Action, Answer> read_command_line(const CommandLine& arguments) {
     } catch (const CLI::ParseError& error) {
         refuse(*parser, error);
     }
+    if (parser->quiet)
+        for (bool* quiet : {&parser->run.quiet, &parser->ledger.quiet, &parser->verify.quiet,
+                            &parser->burn.quiet})
+            *quiet = true;
     return action_of(parser, arguments);
 }
 

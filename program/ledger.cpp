@@ -15,6 +15,7 @@
 #include "program/choose.hpp"
 #include "program/commands.hpp"
 #include "program/figure_record.hpp"
+#include "program/interrupt.hpp"
 #include "program/narrator.hpp"
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
@@ -134,6 +135,7 @@ void tell(const reports::Ledger& ledger) {
 }  // namespace
 
 int settle_ledger(const LedgerOptions& options, const CommandLine& command) {
+    const LeaveOnSignal leave(command);
     const auto ledger = options.settle ? settle(options, command) : settled_before();
     const auto file = options.out / "figures" / "ledger.json";
     reports::write(file, ledger);

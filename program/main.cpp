@@ -1,6 +1,7 @@
 /// `crawford`: see help.hpp for what it says about itself.
 #include <iostream>
 
+#include "base/errors.hpp"
 #include "program/command_line.hpp"
 #include "program/failure.hpp"
 
@@ -8,9 +9,14 @@ namespace {
 
 int obey(const crawford::CommandLine& arguments) {
     const auto wanted = crawford::read_command_line(arguments);
-    if (const auto* action = std::get_if<crawford::Action>(&wanted)) return (*action)();
-    std::cout << std::get<crawford::Answer>(wanted).text;
-    return crawford::exit_code::done;
+    int code = crawford::exit_code::done;
+    if (const auto* action = std::get_if<crawford::Action>(&wanted))
+        code = (*action)();
+    else
+        std::cout << std::get<crawford::Answer>(wanted).text;
+    if (!std::cout.flush())
+        throw crawford::InputError("cannot write to standard output; is the disk full?");
+    return code;
 }
 
 }  // namespace

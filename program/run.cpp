@@ -13,6 +13,7 @@
 #include "program/commands.hpp"
 #include "program/failure.hpp"
 #include "program/figure_record.hpp"
+#include "program/interrupt.hpp"
 #include "program/movie.hpp"
 #include "program/narrator.hpp"
 #include "program/pages.hpp"
@@ -196,6 +197,7 @@ private:
 }  // namespace
 
 int run(const RunOptions& options, const CommandLine& command) {
+    const LeaveOnSignal leave(command);
     return Run(options, command).all();
 }
 

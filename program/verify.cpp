@@ -19,6 +19,7 @@
 #include "program/chosen_grids.hpp"
 #include "program/commands.hpp"
 #include "program/earlier_run.hpp"
+#include "program/interrupt.hpp"
 #include "program/narrator.hpp"
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
@@ -106,6 +107,7 @@ bool tell_foreign(const std::vector<reports::StudyResult>& results) {
 }  // namespace
 
 int verify(const VerifyOptions& options, const CommandLine& command) {
+    const LeaveOnSignal leave(command);
     const auto chosen = choose_studies(options.studies);
     const ChosenGrids grids(options, chosen);
     const auto tasks = tasks_of(chosen, grids);

@@ -14,7 +14,7 @@
 namespace crawford {
 
 struct Manifest {
-    std::string outcome;               ///< "running", "done" or "failed: ..."
+    std::string outcome;               ///< "running", "done", "interrupted" or "failed: ..."
     std::vector<std::string> command;  ///< the command line
     std::string scene;                 ///< canonical TOML
     std::vector<std::uint64_t> seeds;

@@ -3,8 +3,14 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "solver/scene/read_scene.hpp"
@@ -66,6 +72,28 @@ std::string value_of(const Values& values, const std::string& key) {
     return found == values.end() ? "not given" : found->second;
 }
 
+/// The number of a printed value such as "'2e-05 s'", and what stands behind it.
+std::optional<std::pair<double, std::string>> quantity(std::string_view printed) {
+    while (printed.starts_with('\'') || printed.starts_with('"')) printed.remove_prefix(1);
+    double number = 0.0;
+    const char* const end = printed.data() + printed.size();
+    const auto [after, error] = std::from_chars(printed.data(), end, number);
+    if (error != std::errc()) return {};
+    return std::pair{number, std::string(after, end)};
+}
+
+/// "0.02 ms" and "20 us" are the same, though not to the last bit once they are in seconds.
+bool are_equal(const std::string& a, const std::string& b) {
+    if (a == b) return true;
+    const auto x = quantity(a);
+    const auto y = quantity(b);
+    if (!x || !y || x->second != y->second) return false;
+    // A few roundings of a conversion; nobody writes so many digits to mean another value.
+    constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
+    return std::abs(x->first - y->first) <=
+           rounding * std::max(std::abs(x->first), std::abs(y->first));
+}
+
 }  // namespace
 
 std::optional<std::string> difference(const std::string& checkpoint, const std::string& scene) {
@@ -76,7 +104,7 @@ std::optional<std::string> difference(const std::string& checkpoint, const std::
     for (const auto& [key, _] : all) {
         const std::string old_value = value_of(old_values, key);
         const std::string new_value = value_of(new_values, key);
-        if (old_value != new_value)
+        if (!are_equal(old_value, new_value))
             return fmt::format("{} is {} in the checkpoint and {} in the scene", key, old_value,
                                new_value);
     }

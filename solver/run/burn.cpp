@@ -51,9 +51,12 @@ public:
             advance(recorder);
         } catch (const NumericalFailure& failure) {
             give_up(recorder, failure);
+        } catch (const std::exception& problem) {
+            note_end(problem);
+            throw;
         }
         const auto checkpoint = recorder.keep(simulation_, memory());
-        write("done");
+        write(interrupted_ ? "interrupted" : "done");
         return outcome(checkpoint);
     }
 
@@ -105,7 +108,9 @@ private:
                                 {state.step, state.time, summary.mean_burn_rate}});
         };
         const Stop ended = [&](const Simulation& simulation) {
-            return steps_->at_the_end(simulation.state()) || steadiness_.reached();
+            if (steps_->at_the_end(simulation.state()) || steadiness_.reached()) return true;
+            interrupted_ = options_.interrupted && options_.interrupted();
+            return interrupted_;
         };
         run_until(simulation_, *steps_, ended, {summarise, record, show});
     }
@@ -125,6 +130,15 @@ private:
 
     RunMemory memory() const { return {steadiness_.window(), steps_->choice()}; }
 
+    /// Says in the manifest how it ended, as far as anything can still be written.
+    void note_end(const std::exception& problem) {
+        try {
+            write(std::string("failed: ") + problem.what());
+        } catch (const InputError&) {
+            // The disk is full, say: what has gone wrong before is told, and that is the cause.
+        }
+    }
+
     void write(const std::string& outcome) {
         manifest_.outcome = outcome;
         manifest_.met = watch_.met();
@@ -141,6 +155,7 @@ private:
         return {.step = state.step,
                 .time = state.time,
                 .steady = steadiness_.reached(),
+                .interrupted = interrupted_,
                 .summary = simulation_.summary(),
                 .seconds = wall.count(),
                 .steps = state.step - manifest_.first_step,
@@ -156,6 +171,7 @@ private:
     Watch watch_;
     Steadiness steadiness_;
     Manifest manifest_;
+    bool interrupted_ = false;
 };
 
 }  // namespace

@@ -30,12 +30,14 @@ struct BurnOptions {
     std::function<void(const BurnProgress&)> watch = {};  ///< told after each step
     /// Told each remark once, as soon as it is known: before the first step or during the run.
     std::function<void(const Guard&)> remark = {};
+    std::function<bool()> interrupted = {};  ///< asked before each step: whether to leave off
 };
 
 struct BurnOutcome {
     long step;                         ///< the last
     double time;                       ///< reached [s]
     bool steady;                       ///< ended by time.until_steady
+    bool interrupted;                  ///< left off before its end
     Summary summary;                   ///< of the last step
     double seconds;                    ///< wall time of the steps and their output
     long steps;                        ///< done by this run

@@ -10,7 +10,7 @@ namespace crawford {
 namespace {
 
 /// Of what the error allows: the next step is a little worse.
-constexpr double caution = 0.9;
+constexpr double caution = 0.85;
 /// A step that adds little more than it should is kept, and the next is shorter: to try it again would
 /// cost a solve.
 constexpr double little_more = 2.0;

@@ -43,6 +43,15 @@ struct Found {
     }
 };
 
+/// Whether the history has the last row, and all before it, of a run that has reached `last_step`.
+bool is_whole(const fs::path& history, const Scene& scene, long last_step) {
+    const auto rows = read_history(history);
+    const long every = scene.output.history_every;
+    if (long(rows.size()) < last_step / every) return false;
+    return !rows.empty() &&
+           std::lround(rows.back().time / scene.time.step) >= last_step - last_step % every;
+}
+
 /// Nothing if it is no run of this scene by this solver, or cannot be understood.
 std::optional<Found> find(const fs::path& directory, const Scene& scene) {
     std::ifstream file(directory / "manifest.json");
@@ -52,17 +61,30 @@ std::optional<Found> find(const fs::path& directory, const Scene& scene) {
     try {
         const Scene kept = parse_scene(manifest.value("scene", ""));
         if (identity_of(kept) != identity_of(scene)) return {};
-        return Found{manifest.value("outcome", ""), kept.output};
+        const Found found{manifest.value("outcome", ""), kept.output};
+        const fs::path history = directory / fmt::format("{}_history.csv", run_name);
+        if (found.has_ended() && !is_whole(history, kept, manifest.value("last_step", 0L)))
+            return {};
+        return found;
     } catch (const InputError&) {
         return {};
     }
 }
 
-/// The last checkpoint before the end, if there is one.
+bool can_be_read(const fs::path& checkpoint, const Scene& scene) {
+    try {
+        load_checkpoint(checkpoint, to_toml(scene));
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+/// The last sound checkpoint before the end, if there is one.
 std::optional<fs::path> last_checkpoint(const fs::path& directory, const Scene& scene) {
     for (long step = last_step(scene.time) - 1; step > 0; --step) {
         const fs::path file = checkpoint_file(directory, run_name, step);
-        if (fs::exists(file)) return file;
+        if (fs::exists(file) && can_be_read(file, scene)) return file;
     }
     return {};
 }

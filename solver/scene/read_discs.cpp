@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "solver/scene/units.hpp"
@@ -20,15 +21,34 @@ std::string trimmed(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// The cell between quotes that a spreadsheet puts about it, or the cell.
+std::string unquoted(const std::string& cell) {
+    const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+    return quoted ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
 std::vector<std::string> cells(const std::string& row) {
     std::vector<std::string> cells;
     std::size_t begin = 0;
     for (auto comma = row.find(','); comma != std::string::npos; comma = row.find(',', begin)) {
-        cells.push_back(trimmed(row.substr(begin, comma - begin)));
+        cells.push_back(unquoted(trimmed(row.substr(begin, comma - begin))));
         begin = comma + 1;
     }
-    cells.push_back(trimmed(row.substr(begin)));
+    cells.push_back(unquoted(trimmed(row.substr(begin))));
     return cells;
+}
+
+void refuse_other_separators(const std::string& row, const std::string& place) {
+    for (const auto& [separator, name] : {std::pair{';', "semicolons"}, {'\t', "tabs"}})
+        if (row.find(separator) != std::string::npos)
+            throw InputError(fmt::format(
+                "{} has {}; cells are separated by commas, decimals have a point", place, name));
+}
+
+/// The mark that some programs put before UTF-8 is no part of the first heading.
+std::string without_byte_order_mark(const std::string& row) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return row.starts_with(mark) ? row.substr(mark.size()) : row;
 }
 
 struct Column {
@@ -80,6 +100,9 @@ Disc disc(const std::string& row, const std::vector<Column>& columns, const std:
     }
     Disc disc{};
     for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (numbers[i].find_first_not_of("+-.0123456789eE") != std::string::npos)
+            throw InputError(fmt::format(
+                "{}: \"{}\" is no number; the unit stands in the first row", place, numbers[i]));
         const std::string quantity = numbers[i] + " " + columns[i].unit;
         try {
             disc.*columns[i].member = read_quantity(quantity, "m");
@@ -104,9 +127,10 @@ std::vector<Disc> read_discs(const std::filesystem::path& file) {
     std::vector<Disc> discs;
     std::string row;
     for (int line = 1; std::getline(stream, row); ++line) {
-        row = trimmed(row);
+        row = trimmed(line == 1 ? without_byte_order_mark(row) : row);
         if (row.empty() || row.front() == '#') continue;
         const std::string place = fmt::format("{}:{}:", file.string(), line);
+        refuse_other_separators(row, place);
         if (header.empty()) {
             header = columns(row, place);
         } else {

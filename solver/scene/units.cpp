@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -84,6 +86,44 @@ std::pair<double, std::string_view> split(std::string_view quantity, std::string
     return {number, trimmed(text.substr(static_cast<std::size_t>(end - text.data())))};
 }
 
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Whether the digit at `k` belongs to an exponent: cm2, s-1, m^2, m^-2, m**2.
+bool is_exponent(std::string_view unit, std::size_t k) {
+    while (k > 0 && is_digit(unit[k - 1])) --k;
+    const bool sign = k > 1 && unit[k - 1] == '-';
+    if (sign) --k;
+    if (k == 0) return false;
+    const char base = unit[k - 1];
+    return is_letter(base) || base == ')' || base == '^' ||
+           (base == '*' && k > 1 && unit[k - 2] == '*');
+}
+
+/// udunits2 reads more than units: "200 kPa" is a unit of its own, "K @ 10" and "K since 10" have
+/// another zero. A quantity that holds such a thing is a slip, never meant.
+void refuse_what_is_no_unit(std::string_view text) {
+    const std::string_view unit = text.starts_with("1/") ? text.substr(1) : text;
+    for (std::size_t k = 0; k < unit.size(); ++k)
+        if (unit[k] == '@' || (is_digit(unit[k]) && !is_exponent(unit, k)))
+            throw InputError(fmt::format(
+                "is more than one number and one unit: the unit would be \"{}\"", text));
+    for (std::size_t begin = 0, end = 0; begin < unit.size(); begin = end + 1) {
+        for (end = begin; end < unit.size() && is_letter(unit[end]);) ++end;
+        std::string word(unit.substr(begin, end - begin));
+        std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+        for (const char* shift : {"since", "from", "after", "ref", "re"})
+            if (word == shift)
+                throw InputError(fmt::format(
+                    "moves the zero of its unit with \"{}\"; give one number and one unit", word));
+    }
+}
+
 }  // namespace
 
 double read_quantity(std::string_view quantity, std::string_view unit) {
@@ -92,6 +132,7 @@ double read_quantity(std::string_view quantity, std::string_view unit) {
         throw InputError(
             fmt::format("has no unit; expected {} or a unit that converts to it", unit));
     }
+    refuse_what_is_no_unit(given_text);
     // udunits2 scans and converts with state of its own, which two threads must not share.
     static std::mutex library;
     const std::scoped_lock lock(library);

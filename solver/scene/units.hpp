@@ -9,9 +9,9 @@ namespace crawford {
 ///
 /// Units are those of udunits2, but for the calorie, which is the thermochemical one (4.184 J) of
 /// the combustion literature and not udunits' steam table calorie. "cm2" and "cm^2", "1/K" and
-/// "K-1" are the same.
+/// "K-1" are the same. One number, then one unit: digits in a unit are exponents or a leading "1/".
 /// \throws InputError whose message completes a sentence that begins with the quantity: no number,
-///         no unit, an unknown unit, another dimension than that of `unit`, a value not finite.
+///         no unit, a second number, a shifted zero ("K @ 10", "K since 10"), an unknown unit, another dimension than that of `unit`, a value not finite.
 double read_quantity(std::string_view quantity, std::string_view unit);
 
 }  // namespace crawford

@@ -298,13 +298,5 @@ TEST_F(Program, MakesPagesOfWhatWasDrawn) {
     expect_refused({"report", "--out", out()}, "ledger.json: manifest is missing");
 }
 
-TEST_F(Program, SaysWithCodeOneThatAGateFellShort) {
-    const Finished verify = crawford({"verify", one, "--grids", "1", "--quiet", "--out", out()});
-    EXPECT_EQ(verify.status, 1) << "a slab of one cell finds no steady state";
-    EXPECT_THAT(verify.output, HasSubstr("FAIL: " + one + ": T, L2: no error from grid 1"));
-    const auto results = nlohmann::json::parse(std::ifstream(out_ / "verify.json"));
-    EXPECT_FALSE(results.at("passed").get<bool>());
-}
-
 }  // namespace
 }  // namespace crawford

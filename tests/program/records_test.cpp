@@ -86,6 +86,7 @@ TEST_F(ProgramRecords, OfOneProgramDoNotTurnAnotherGreen) {
     const Finished altered = verify(altered_program_path());
     EXPECT_EQ(altered.status, 1) << altered.output;
     EXPECT_THAT(altered.output, HasSubstr("FAIL: slab-burning-law, AP: "));
+    EXPECT_FALSE(report().at("passed").get<bool>());
     EXPECT_EQ(records().size(), before.size()) << "every run was made anew";
     EXPECT_EQ(fingerprints().size(), 1U);
     EXPECT_NE(fingerprints(), sound);

@@ -241,6 +241,18 @@ TEST(Scene, ReadsDiscsFromATable) {
     EXPECT_DOUBLE_EQ(shape.period, scene.domain.depth) << "the default period";
 }
 
+TEST(Scene, ReadsATableThatASpreadsheetHasWritten) {
+    const ScratchFile table(
+        "discs.csv", "\xEF\xBB\xBF\"x [um]\",\"y [um]\",\"radius [um]\"\r\n\"50\",-50,\"40\"\r\n");
+    const Scene scene =
+        parse_scene(sandwich, table.path().parent_path(),
+                    {"morphology={kind='discs', file='" + table.path().filename().string() + "'}"});
+    const auto& shape = std::get<Discs>(scene.morphology.shape);
+    ASSERT_EQ(shape.discs.size(), 1u);
+    EXPECT_DOUBLE_EQ(shape.discs[0].x, 50e-6);
+    EXPECT_DOUBLE_EQ(shape.discs[0].radius, 40e-6);
+}
+
 TEST(Scene, TextOfASceneGivesTheSceneBack) {
     const std::vector<std::vector<std::string>> variants{
         {},
@@ -437,6 +449,11 @@ TEST(SceneRefuses, TablesOfDiscsThatAreWrong) {
     refused("x [um],y [um],radius [K]\n1,1,1\n", "wrong dimension");
     refused("x [um],y [um],radius [um]\n1,1\n", ":2: has 2 values; expected 3");
     refused("x [um],y [um],radius [um]\n1,1,one\n", ":2:");
+    refused("x [um],y [um],radius [um]\n1,1,2 5\n", "\"2 5\" is no number");
+    refused("x [um],y [um],radius [um]\n1,1,2 m\n", "\"2 m\" is no number");
+    refused("x [um],y [um],radius [2 um]\n1,1,1\n", "more than one number");
+    refused("x [um];y [um];radius [um]\n1;1;1\n", ":1: has semicolons");
+    refused("x [um]\ty [um]\tradius [um]\n1\t1\t1\n", ":1: has tabs");
     refused("x [um],y [um],x [um]\n1,1,1\n", "twice");
     refused("x [um],y [um],radius [um]\n", "no discs");
     refused("x [um],y [um],radius [um]\n1,1,-3\n", "disc 1");

@@ -50,6 +50,19 @@ TEST(Units, RefusesWhatIsNoQuantityOfThisDimension) {
     EXPECT_THROW(read_quantity("3 Hz", "s"), InputError) << "a reciprocal is another dimension";
 }
 
+TEST(Units, IsOneNumberThenOneUnit) {
+    for (const char* wrong :
+         {"1 200 kPa", "2.5.3 MPa", "2 1/2 MPa", "2 MPa since 1", "2 MPa from 1", "2 MPa after 1",
+          "2 MPa ref 1", "2 MPa @ 10", "2 MPa SINCE 1", "2 /2 MPa", "2 (3 MPa)", "2 MPa 3",
+          "2 MPa*3", "2 MPa -1", "1 2e3 Pa", "2 MPa.5"})
+        EXPECT_THROW(read_quantity(wrong, "Pa"), InputError) << wrong;
+    for (const char* wrong : {"300 K @ 10", "2 7 degC", "300 K since 1"})
+        EXPECT_THROW(read_quantity(wrong, "K"), InputError) << wrong;
+    EXPECT_EQ(read_quantity("2 m s-1", "m/s"), 2.0);
+    EXPECT_EQ(read_quantity("2 kg m^-1 s**-2", "Pa"), 2.0);
+    EXPECT_EQ(read_quantity("2 1/K", "K-1"), 2.0);
+}
+
 TEST(Units, SaysNothingOnStandardError) {
     testing::internal::CaptureStderr();
     EXPECT_THROW(read_quantity("2 (Pa", "Pa"), InputError);

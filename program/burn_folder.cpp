@@ -1,0 +1,198 @@
+#include "program/burn_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+#include "solver/files/scene_difference.hpp"
+
+namespace crawford {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds between_beats{3};
+/// A step takes seconds and a shared disk may hang for a while: ten times both.
+constexpr std::chrono::minutes silence_of_the_dead{2};
+constexpr std::string_view history_ending = "_history.csv";
+
+struct Owner {
+    std::string host;
+    long process = 0;
+    std::string began;  ///< in ticks since the host did, from /proc: tells reused numbers apart
+};
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    ::gethostname(name.data(), name.size() - 1);
+    return name.data();
+}
+
+/// Empty if there is no such process, or no /proc.
+std::string beginning_of(long process) {
+    std::ifstream file(fmt::format("/proc/{}/stat", process));
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const auto end_of_name = text.rfind(')');  // a name may hold blanks
+    if (end_of_name == std::string::npos) return {};
+    std::istringstream words(text.substr(end_of_name + 1));
+    constexpr int fields_before = 19;  // state is the third of proc(5), starttime the 22nd
+    std::string word;
+    for (int k = 0; k <= fields_before; ++k) words >> word;
+    return word;
+}
+
+/// None if the file is gone or was cut short.
+std::optional<Owner> read_owner(const fs::path& path) {
+    std::ifstream file(path);
+    Owner owner;
+    if (!(file >> owner.host >> owner.process >> owner.began)) return {};
+    return owner;
+}
+
+bool has_been_silent(const fs::path& path) {
+    std::error_code gone;
+    const auto touched = fs::last_write_time(path, gone);
+    return gone || fs::file_time_type::clock::now() - touched > silence_of_the_dead;
+}
+
+bool is_alive(const std::optional<Owner>& owner, const fs::path& path) {
+    if (!owner || owner->host != host_name()) return !has_been_silent(path);
+    if (::kill(pid_t(owner->process), 0) != 0 && errno == ESRCH) return false;
+    return beginning_of(owner->process) == owner->began;
+}
+
+/// Makes the file whole at once: a link fails where the name is taken.
+bool make_exclusively(const fs::path& path) {
+    const fs::path own = fmt::format("{}.{}.{}", path.string(), host_name(), ::getpid());
+    {
+        const int file = ::open(own.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+        const std::string text =
+            fmt::format("{} {} {}\n", host_name(), ::getpid(), beginning_of(::getpid()));
+        const bool is_written =
+            file >= 0 && ::write(file, text.data(), text.size()) == ssize_t(text.size());
+        const int problem = errno;
+        if (file >= 0) ::close(file);
+        if (!is_written)
+            throw InputError(fmt::format("cannot write {}: {}", own.string(), strerror(problem)));
+    }
+    std::error_code taken;
+    fs::create_hard_link(own, path, taken);
+    fs::remove(own);
+    if (taken && taken != std::errc::file_exists)
+        throw InputError(fmt::format("cannot write {}: {}", path.string(), taken.message()));
+    return !taken;
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::optional<Owner>& owner) {
+    const std::string who =
+        owner ? fmt::format("process {} on {}", owner->process, owner->host) : "another run";
+    throw InputError(fmt::format(
+        "{} is being written into by {}; wait for it or name another --out", folder.string(), who));
+}
+
+/// The key that differs from what a manifest holds, with both values.
+std::optional<std::string> difference_from(const nlohmann::json& manifest,
+                                           const std::string& toml) {
+    auto found = difference(manifest.at("scene").get<std::string>(), toml);
+    if (!found) return {};
+    constexpr std::string_view there = "in the checkpoint";
+    if (const auto at = found->find(there); at != std::string::npos)
+        found->replace(at, there.size(), "there");
+    return found;
+}
+
+std::optional<nlohmann::json> manifest_in(const fs::path& folder) {
+    std::ifstream file(folder / "manifest.json");
+    auto json = nlohmann::json::parse(file, nullptr, false);
+    if (!json.is_object() || !json.contains("scene") || !json.contains("command")) return {};
+    return json;
+}
+
+bool is_of_name(const std::string& file, const std::string& name) {
+    if (!file.starts_with(name)) return false;
+    std::string rest = file.substr(name.size());
+    if (rest == history_ending || rest == ".hdf.series") return true;
+    if (rest.starts_with("_checkpoint")) rest.erase(0, std::strlen("_checkpoint"));
+    const auto dot = rest.find('.');
+    if (dot == std::string::npos || dot < 2 || rest.front() != '_') return false;
+    const bool is_numbered = std::all_of(rest.begin() + 1, rest.begin() + long(dot),
+                                         [](char c) { return c >= '0' && c <= '9'; });
+    return is_numbered && (rest.substr(dot) == ".hdf" || rest.substr(dot) == ".h5");
+}
+
+}  // namespace
+
+BurnFolder::BurnFolder(const fs::path& folder)
+    : file_(folder / ".owner"), is_new_(!fs::exists(folder)) {
+    prepare_directory(folder);
+    while (!make_exclusively(file_)) {
+        const auto owner = read_owner(file_);
+        if (is_alive(owner, file_)) refuse(folder, owner);
+        // Of two that take over, one renames: the other finds the new owner, or none.
+        const fs::path dead = fmt::format("{}.dead.{}", file_.string(), ::getpid());
+        std::error_code gone;
+        fs::rename(file_, dead, gone);
+        fs::remove(dead, gone);
+    }
+}
+
+BurnFolder::~BurnFolder() {
+    std::error_code gone;
+    fs::remove(file_, gone);
+    if (is_new_) fs::remove(file_.parent_path(), gone);  // fails where it holds anything
+}
+
+void BurnFolder::beat() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_beat_ < between_beats) return;
+    last_beat_ = now;
+    std::error_code gone;
+    fs::last_write_time(file_, fs::file_time_type::clock::now(), gone);
+}
+
+void refuse_results_of_others(const fs::path& folder, const Burning& burning, bool goes_on) {
+    if (!fs::is_directory(folder)) return;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string file = entry.path().filename().string();
+        if (!file.ends_with(history_ending) || file == burning.name + std::string(history_ending))
+            continue;
+        throw InputError(fmt::format(
+            "{} holds the results of {}, not of {}; name another --out", folder.string(),
+            file.substr(0, file.size() - history_ending.size()), burning.name));
+    }
+    const auto manifest = manifest_in(folder);
+    if (!manifest) return;
+    const auto key = difference_from(*manifest, burning.toml);
+    if (!key) return;
+    const auto command = manifest->at("command").get<std::vector<std::string>>();
+    const bool is_same_file = std::ranges::find(command, burning.scene.string()) != command.end();
+    if (!goes_on && burning.folder_was_named && is_same_file) return;
+    throw InputError(fmt::format("{} holds the results of another scene: {}; name another --out",
+                                 folder.string(), *key));
+}
+
+void remove_results(const fs::path& folder, const std::string& name) {
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (is_of_name(entry.path().filename().string(), name)) old.push_back(entry.path());
+    if (fs::exists(folder / (name + std::string(history_ending))))
+        old.push_back(folder / "manifest.json");
+    for (const fs::path& file : old) fs::remove(file);
+}
+
+}  // namespace crawford

@@ -1,0 +1,168 @@
+/// What the built program does with the files and folders that it is given, and how it leaves them.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/process.hpp"
+#include "base/source_tree.hpp"
+#include "tests/program_path.hpp"
+
+namespace crawford {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string scenes = source_path("cases/scenes/").string();
+const std::string one = "slab, AP, beta = 3 alpha K";
+
+Finished crawford(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), program_path());
+    return run_program(arguments);
+}
+
+/// A directory of the test's own, which does not exist yet.
+class ProgramFiles : public testing::Test {
+protected:
+    ProgramFiles()
+        : out_(fs::path(testing::TempDir()) /
+               (std::string("crawford_program_files_") +
+                testing::UnitTest::GetInstance()->current_test_info()->name())) {
+        fs::remove_all(out_);
+    }
+    void TearDown() override { fs::remove_all(out_); }
+
+    std::string out() const { return out_.string(); }
+
+    fs::path out_;
+};
+
+/// Refused as wrong input, in one line that contains `message`.
+void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
+    const Finished run = crawford(arguments);
+    EXPECT_EQ(run.status, 2) << run.output;
+    EXPECT_THAT(run.output, HasSubstr(message));
+    EXPECT_THAT(run.output, testing::StartsWith("crawford: "));
+    EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
+}
+
+/// A short burn of the slab, told to write into the test's own directory.
+std::vector<std::string> short_burn(const std::string& out, std::vector<std::string> more = {}) {
+    std::vector<std::string> command{
+        "burn", scenes + "slab.toml", "--set", "time.end=60 us", "--quiet", "--out", out};
+    command.insert(command.end(), more.begin(), more.end());
+    return command;
+}
+
+TEST_F(ProgramFiles, RefusesGridsThatAStudyCannotRunOn) {
+    expect_refused({"verify", "corner", "--grids", "1", "--out", out()},
+                   "corner takes columns from 128 to 4096 in multiples of 128");
+    for (const char* grids : {"1", "31,32", "2000000000"})
+        expect_refused({"verify", "heat", "--grids", grids, "--out", out()}, "in multiples of 16");
+    expect_refused({"verify", "sandwich-refinement", "--axis", "columns=3", "--out", out()},
+                   "in multiples of 16");
+    expect_refused({"verify", "heat", "--grids", "0x20", "--out", out()}, "no whole number");
+    EXPECT_FALSE(fs::exists(out_));
+    const Finished verify = crawford({"verify", one, "--grids", "016", "--out", out()});
+    EXPECT_THAT(verify.output, HasSubstr("rows = 16")) << "decimal";
+}
+
+TEST_F(ProgramFiles, RefusesAnEmptyPath) {
+    expect_refused({"burn", scenes + "slab.toml", "--out", ""}, "--out: is empty");
+    expect_refused({"burn", scenes + "slab.toml", "--restart", ""}, "--restart: is empty");
+    expect_refused({"verify", "slab", "--junit", ""}, "--junit: is empty");
+    expect_refused({"pack", scenes + "pack.toml", "--out", ""}, "--out: is empty");
+}
+
+TEST_F(ProgramFiles, SaysWhenItsAnswerCannotBeWritten) {
+    const Finished full = run_program({"sh", "-c", "exec \"$0\" list > /dev/full", program_path()});
+    EXPECT_EQ(full.status, 2);
+    EXPECT_THAT(full.output, HasSubstr("cannot write to standard output"));
+}
+
+TEST_F(ProgramFiles, ClearsAwayItsOwnOlderResults) {
+    EXPECT_EQ(crawford(short_burn(out(), {"--set", "time.end=100 us"})).status, 0);
+    std::ofstream(out_ / "notes.txt") << "mine";
+    const Finished again = crawford(short_burn(out()));
+    EXPECT_EQ(again.status, 0) << again.output;
+    EXPECT_FALSE(fs::exists(out_ / "slab_000005.hdf"));
+    EXPECT_FALSE(fs::exists(out_ / "slab_checkpoint_000005.h5"));
+    EXPECT_TRUE(fs::exists(out_ / "slab_checkpoint_000003.h5"));
+    EXPECT_TRUE(fs::exists(out_ / "notes.txt"));
+    EXPECT_FALSE(fs::exists(out_ / ".owner"));
+}
+
+TEST_F(ProgramFiles, LeavesTheResultsOfAnotherSceneAlone) {
+    EXPECT_EQ(crawford(short_burn(out())).status, 0);
+    expect_refused({"burn", scenes + "sandwich.toml", "--out", out()},
+                   "holds the results of slab, not of sandwich");
+    const fs::path twin = out_ / "slab.toml";
+    fs::copy_file(scenes + "slab.toml", twin);
+    expect_refused({"burn", twin.string(), "--set", "surface.pressure=3 MPa", "--out", out()},
+                   "surface.pressure is ");
+    EXPECT_EQ(crawford(short_burn(out(), {"--set", "time.step=10 us"})).status, 0)
+        << "the same file, changed, into the folder that was named";
+}
+
+TEST_F(ProgramFiles, SharesNoFolderWithAnotherRun) {
+    EXPECT_EQ(crawford(short_burn(out())).status, 0);
+    std::ofstream(out_ / ".owner") << "elsewhere 7 1\n";
+    expect_refused(short_burn(out()), "is being written into by process 7 on elsewhere");
+    fs::last_write_time(out_ / ".owner",
+                        fs::file_time_type::clock::now() - std::chrono::minutes(3));
+    EXPECT_EQ(crawford(short_burn(out())).status, 0) << "silent for three minutes";
+}
+
+TEST_F(ProgramFiles, LeavesOffInGoodOrder) {
+    for (const auto& [signal, status] : {std::pair{"INT", 130}, {"TERM", 143}}) {
+        const Finished run =
+            run_program({"timeout", "--preserve-status", "-s", signal, "2", program_path(), "burn",
+                         scenes + "sandwich.toml", "--quiet", "--out", out()});
+        EXPECT_EQ(run.status, status) << run.output;
+        const auto manifest = nlohmann::json::parse(std::ifstream(out_ / "manifest.json"));
+        EXPECT_EQ(manifest.at("outcome"), "interrupted");
+        const std::string checkpoint =
+            fmt::format("sandwich_checkpoint_{:06d}.h5", manifest.at("last_step").get<long>());
+        EXPECT_TRUE(fs::exists(out_ / checkpoint));
+        EXPECT_THAT(run.output, HasSubstr("--restart " + (out_ / checkpoint).string()));
+    }
+}
+
+TEST_F(ProgramFiles, KeepsWhatIsDoneOfStudies) {
+    const Finished run =
+        run_program({"timeout", "--preserve-status", "-s", "INT", "1", program_path(), "verify",
+                     "sandwich-orders", "--quiet", "--out", out()});
+    EXPECT_EQ(run.status, 130) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("verify sandwich-orders --quiet --out " + out()));
+}
+
+TEST_F(ProgramFiles, RefusesANameThatIsNotUtf8) {
+    fs::create_directories(out_);
+    const fs::path latin = out_ / "ap\xE9.toml";
+    fs::copy_file(scenes + "slab.toml", latin);
+    expect_refused({"burn", latin.string(), "--out", (out_ / "burn").string()}, "is not UTF-8");
+    EXPECT_FALSE(fs::exists(out_ / "burn"));
+}
+
+TEST_F(ProgramFiles, GoesOnWithValuesEqualToRounding) {
+    EXPECT_EQ(crawford(short_burn(out())).status, 0);
+    const Finished on =
+        crawford(short_burn(out(), {"--set", "time.step=0.02 ms", "--set", "time.end=100 us",
+                                    "--restart", (out_ / "slab_checkpoint_000003.h5").string()}));
+    EXPECT_EQ(on.status, 0) << on.output;
+    std::vector<std::string> command = short_burn(out());
+    command.insert(command.begin(), "--quiet");
+    EXPECT_EQ(crawford(command).status, 0) << "--quiet before the command";
+}
+
+}  // namespace
+}  // namespace crawford
