@@ -24,7 +24,9 @@ double largest_slope(const Grid& grid, const SurfaceField& surface) {
     return largest;
 }
 
-HistoryRow row(const Simulation& simulation, const Summary& summary) {
+}  // namespace
+
+HistoryRow history_row(const Simulation& simulation, const Summary& summary) {
     const State& state = simulation.state();
     HistoryRow row{.time = state.time,
                    .mean_burn_rate = summary.mean_burn_rate,
@@ -48,8 +50,6 @@ HistoryRow row(const Simulation& simulation, const Summary& summary) {
     return row;
 }
 
-}  // namespace
-
 bool is_due(double before, double after, double interval) {
     constexpr double grace = 1e-6;  // of an interval: times are sums of steps
     return std::floor(after / interval + grace) > std::floor(before / interval + grace);
@@ -72,7 +72,7 @@ Recorder::Recorder(std::filesystem::path directory, std::string name, Provenance
 void Recorder::record(Simulation& simulation, const Summary& summary, double before,
                       const std::vector<Sample>& window) {
     const State& state = simulation.state();
-    if (state.step % output_.history_every == 0) history_.append(row(simulation, summary));
+    if (state.step % output_.history_every == 0) history_.append(history_row(simulation, summary));
     if (output_.snapshots_every && is_due(before, state.time, *output_.snapshots_every))
         take_snapshot(simulation);
     if (output_.checkpoint_every && is_due(before, state.time, *output_.checkpoint_every)) {
