@@ -28,7 +28,7 @@ constexpr auto thermal = "thermal", coupled = "coupled";
 
 /// What the claims ask for.
 namespace finds {
-constexpr auto change_of_burn_rate = "mean burn rate changed by mechanics";
+constexpr auto change_of_burn_rate = "mean burn rate changed with c_p, as the paper";
 constexpr auto of_binder = "temperature at the centre of the binder";
 constexpr auto of_AP = "temperature of the surface amid AP";
 std::string of(const std::string& run, const std::string& what) {

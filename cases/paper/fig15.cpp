@@ -77,9 +77,9 @@ Outcome fig15(const Request& request) {
         add(outcome, thermal,
             *kept_burn(burning_pack(request.fidelity, {.mechanics = false}), request));
     const auto with_stress = add(outcome, coupled, *kept_burn(scene, request));
-    outcome.findings.push_back({"largest temperature changed by mechanics",
+    outcome.findings.push_back({"largest temperature changed with c_p, as the paper",
                                 with_stress.first.mean - rigid.first.mean, "K"});
-    outcome.findings.push_back({"mean burn rate changed by mechanics",
+    outcome.findings.push_back({"mean burn rate changed with c_p, as the paper",
                                 100.0 * (with_stress.second.mean / rigid.second.mean - 1.0), "%"});
     outcome.figure.set("since", burning_since / ms)
         .set("until", scene.time.end / ms)

@@ -24,7 +24,8 @@ do for [k = 1:frames] {
         if (side == 0) {
             set ylabel 'y / µm'
             eval heading('', sprintf('t = %.0f ms', value(sprintf('time%d', k))))
-            @small_print
+            own_caption = caption . sprintf('  |  t = %.0f ms', value(sprintf('time%d', k)))
+            set label 100 own_caption at screen 0.01, screen 0.025 left font ',9' textcolor rgb grey noenhanced
         } else {
             set ytics format ''
         }
