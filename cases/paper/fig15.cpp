@@ -7,7 +7,8 @@
 ///
 /// Both runs share grid and step, so the difference is physics: heat taken by expansion, -beta T
 /// div v with beta = 3 alpha K, while c_p is kept as the capacity although the coupling supplies
-/// part of it. The rates rise and fall as discs come to the surface and burn away: the spread in
+/// part of it: the change is that with c_p, as the paper. Case model-form says how much is mechanics
+/// proper. The rates rise and fall as discs come to the surface and burn away: the spread in
 /// time belongs to the pack, not to the solver. It is one pack; others of the same discs have other
 /// means.
 
