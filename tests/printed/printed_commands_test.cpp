@@ -67,7 +67,8 @@ protected:
         for (const char* name : {"cases", "docs", "results"})
             fs::create_directory_symlink(source_path(name), root_ / name);
         fs::create_directory_symlink(source_path("cases"), root_ / "refused" / "cases");
-        std::ofstream(root_ / "refused" / "out") << "no directory";
+        for (const char* name : {"out", "DIR"})
+            std::ofstream(root_ / "refused" / name) << "no directory";
         const auto stand_in = source_path("tests/printed/stand_in.sh");
         fs::create_symlink(stand_in, root_ / "build" / "crawford");
         fs::create_symlink(stand_in, root_ / "bin" / "make");

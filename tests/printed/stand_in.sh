@@ -4,13 +4,14 @@
 #
 #   PROGRAM  the built crawford        TREE  the source tree        REST  PATH without the stand-ins
 
-# What the program makes of a command before it computes: in a folder where out is no directory, all that can be wrong with
-# it is the folder. (old/verify.json is an earlier run's, which nobody has here.)
+# What the program makes of a command before it computes: in a folder where out and DIR are no directories, all that can be
+# wrong with it is the folder. (old/verify.json is an earlier run's, which nobody has here.)
 look_at() {
   cd refused
   said=$("$PROGRAM" "$@" 2>&1 >/dev/null) || true
   case "$said" in
-    'crawford: cannot write out'* | 'crawford: old/verify.json cannot be read'*) exit 0 ;;
+    'crawford: cannot write out'* | 'crawford: cannot write DIR'* | 'crawford: DIR holds no results'* | \
+      'crawford: old/verify.json cannot be read'*) exit 0 ;;
   esac
   echo "$said"
   exit 1
@@ -36,5 +37,7 @@ case "$(basename "$0") $*" in
   'crawford run fig03 fig04') exec "$PROGRAM" "$@" --quiet --fidelity draft ;;
   # Minutes to an hour: the studies, the movie, the matrix of model forms, the ledger anew.
   crawford\ verify* | crawford\ run\ * | crawford\ ledger\ --settle*) look_at "$@" ;;
+  # Pages of a folder that nobody has here.
+  crawford\ report\ --out\ DIR) look_at "$@" ;;
   *) exec "$PROGRAM" "$@" ;;
 esac
