@@ -120,7 +120,7 @@ Parts find(Outcome& outcome, const std::string& what, const std::array<double, 4
                                     absolute ? value : 100.0 * value / values[0],
                                     absolute ? unit : "%"});
     };
-    add("in all", parts.whole);
+    add("with c_p, as the paper", parts.whole);
     add("by the capacity counted twice", parts.twice);
     add("by stretch at constant density", parts.stretch);
     add("by mechanics proper", parts.mechanics);
