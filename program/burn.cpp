@@ -24,14 +24,20 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
         outcome.steady ? "steady" : "ended", outcome.time, outcome.step,
         outcome.summary.mean_burn_rate * 100.0, outcome.summary.largest_temperature,
         outcome.summary.largest_strain, outcome.step, outcome.seconds, files.directory.string());
+    if (outcome.chosen)
+        std::cout << fmt::format(
+            "steps of {:.3g} to {:.3g} us; tried again, shorter: {} for their error, {} that "
+            "failed\n",
+            outcome.chosen->shortest * 1e6, outcome.chosen->longest * 1e6, outcome.chosen->rejected,
+            outcome.chosen->failed);
 }
 
 /// Shows on a terminal how far a run has come.
 class Watch {
 public:
     void operator()(const BurnProgress& at) {
-        if (!line_) line_.emplace(std::cerr, stderr_is_terminal(), at.first_step, at.last_step);
-        line_->show(at.now);
+        if (!line_) line_.emplace(std::cerr, stderr_is_terminal(), at.first_step);
+        line_->show(at.now, at.last_step);
     }
 
 private:

@@ -168,14 +168,15 @@ SlabProfile burn_to_steady(const Scene& scene, double tolerance) {
     Simulation simulation(scene);
     State before = simulation.state(), now = before;
     double changed = std::numeric_limits<double>::infinity();
-    const Stop ended = [&, at_end = at_the_end(simulation)](const Simulation& burning) {
-        return changed <= tolerance || at_end(burning);
+    const auto steps = steps_of(simulation);
+    const Stop ended = [&](const Simulation& burning) {
+        return changed <= tolerance || steps->at_the_end(burning.state());
     };
     const Observer compare = [&](const Simulation& burning, double) {
         before = std::exchange(now, burning.state());
         changed = change(before, now);
     };
-    run_until(simulation, ended, {compare});
+    run_until(simulation, *steps, ended, {compare});
     if (changed <= tolerance) return profile(simulation, before);
     throw NumericalFailure(
         fmt::format("{}: not steady after {} s: the last step changed a value by {:.3g} of the "

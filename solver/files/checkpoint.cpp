@@ -107,6 +107,7 @@ void write_state(Hdf5File& file, const std::string& group, const State& state) {
     file.create_group(group);
     file.write(group + "/step", std::span(&step, 1), {}, "1");
     file.write(group + "/time", Numbers(&state.time, 1), {}, "s");
+    file.write(group + "/length", Numbers(&state.length, 1), {}, "s");
     for_each_state_field([&](const auto& field) {
         write(file, fmt::format("{}/{}", group, field.name), field.of(state), field.unit);
     });
@@ -116,6 +117,8 @@ State read_state(const Hdf5File& file, const std::string& group) {
     State state;
     state.step = read_one<std::int64_t>(file, group + "/step");
     state.time = read_one<double>(file, group + "/time");
+    // Earlier checkpoints have none: all their steps were the scene's.
+    if (file.contains(group + "/length")) state.length = read_one<double>(file, group + "/length");
     for_each_state_field([&](const auto& field) {
         read(file, fmt::format("{}/{}", group, field.name), field.of(state));
     });
@@ -152,6 +155,38 @@ std::vector<Sample> read_window(const Hdf5File& file) {
     return window;
 }
 
+void write_choice(Hdf5File& file, const StepChoice& choice) {
+    const StepMemory& m = choice.memory;
+    const std::vector<double> numbers{choice.next,         choice.limit, m.length,
+                                      m.length_before,     m.fastest,    choice.count.shortest,
+                                      choice.count.longest};
+    const std::vector<std::int64_t> counts{choice.count.rejected, choice.count.failed};
+    file.create_group("/steps");
+    file.write("/steps/numbers", Numbers(numbers), {numbers.size()}, "SI");
+    file.write("/steps/counts", std::span<const std::int64_t>(counts), {counts.size()}, "1");
+    file.write("/steps/slope", Numbers(m.slope), {m.slope.size()}, "SI");
+    file.write("/steps/curvature", Numbers(m.curvature), {m.curvature.size()}, "SI");
+}
+
+std::optional<StepChoice> read_choice(const Hdf5File& file) {
+    if (!file.contains("/steps")) return {};
+    const auto numbers = file.read<double>("/steps/numbers");
+    const auto counts = file.read<std::int64_t>("/steps/counts");
+    if (numbers.size() != 7 || counts.size() != 2)
+        throw InputError("/steps has numbers that no checkpoint has");
+    return StepChoice{.next = numbers[0],
+                      .limit = numbers[1],
+                      .memory = {.slope = file.read<double>("/steps/slope"),
+                                 .curvature = file.read<double>("/steps/curvature"),
+                                 .length = numbers[2],
+                                 .length_before = numbers[3],
+                                 .fastest = numbers[4]},
+                      .count = {.rejected = counts[0],
+                                .failed = counts[1],
+                                .shortest = numbers[5],
+                                .longest = numbers[6]}};
+}
+
 }  // namespace
 
 std::filesystem::path checkpoint_file(const std::filesystem::path& directory,
@@ -169,7 +204,8 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
     file.set_attribute("/crawford", "revision", provenance.revision);
     write_state(file, "/state", checkpoint.state);
     if (checkpoint.state.previous) write_state(file, "/previous", *checkpoint.state.previous);
-    write_window(file, checkpoint.window);
+    write_window(file, checkpoint.memory.window);
+    if (checkpoint.memory.choice) write_choice(file, *checkpoint.memory.choice);
     file.publish();
 }
 
@@ -187,7 +223,7 @@ Checkpoint load_checkpoint(const std::filesystem::path& path, const std::string&
             fmt::format("{} is a checkpoint of another scene: {}; restart with the "
                         "scene it was written for",
                         path.string(), *key));
-    return {read_states(file), read_window(file)};
+    return {read_states(file), {read_window(file), read_choice(file)}};
 }
 
 }  // namespace crawford

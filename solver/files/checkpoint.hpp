@@ -2,18 +2,26 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/files/provenance.hpp"
 #include "solver/files/sample.hpp"
+#include "solver/files/step_choice.hpp"
 #include "solver/step/state.hpp"
 
 namespace crawford {
 
+/// What a run remembers beside its state.
+struct RunMemory {
+    std::vector<Sample> window;                       ///< of what is watched for steadiness
+    std::optional<StepChoice> choice = std::nullopt;  ///< where steps are chosen
+};
+
 struct Checkpoint {
     State state;
-    std::vector<Sample> window;  ///< of the quantity that is watched for steadiness
+    RunMemory memory;
 };
 
 /// "<directory>/<name>_checkpoint_<step>.h5", where a run called `name` puts them.

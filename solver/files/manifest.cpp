@@ -59,6 +59,11 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
         {"seeds", manifest.seeds},
         {"scene", manifest.scene},
     };
+    if (manifest.steps)
+        json["steps"] = {{"shortest_seconds", manifest.steps->shortest},
+                         {"longest_seconds", manifest.steps->longest},
+                         {"rejected", manifest.steps->rejected},
+                         {"failed_and_tried_again", manifest.steps->failed}};
     if (manifest.restarted_from) json["restarted_from"] = *manifest.restarted_from;
     if (manifest.results) json["results"] = json_of(*manifest.results, manifest.time);
     // A file name need not be UTF-8; a manifest with a replaced character is better than none.

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/files/step_choice.hpp"
+
 namespace crawford {
 
 /// What a run came to in its last state.
@@ -27,7 +29,8 @@ struct Manifest {
     std::optional<std::string> restarted_from;  ///< a checkpoint
     long first_step = 0;
     long last_step = 0;
-    double time = 0.0;  ///< reached [s]
+    double time = 0.0;               ///< reached [s]
+    std::optional<StepCount> steps;  ///< how they came about, where they were chosen
     std::chrono::system_clock::time_point started;
     std::chrono::system_clock::time_point ended;
     std::optional<RunResults> results;  ///< of a run that is done

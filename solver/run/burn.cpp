@@ -16,6 +16,7 @@
 #include "solver/files/manifest.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/run/recorder.hpp"
+#include "solver/run/steadiness.hpp"
 #include "solver/scene/read_pack.hpp"
 #include "solver/scene/write_scene.hpp"
 
@@ -33,8 +34,8 @@ class Run {
 public:
     Run(const Scene& scene, const BurnOptions& options, const Sources& sources)
         : options_(options),
-          last_step_(last_step(scene.time)),
           simulation_(scene, sources),
+          steps_(steps_of(simulation_)),
           steadiness_(scene) {
         manifest_.scene = to_toml(scene);
         if (options.restart) restart(*options.restart);
@@ -54,7 +55,7 @@ public:
         } catch (const NumericalFailure& failure) {
             give_up(recorder, failure);
         }
-        const auto checkpoint = recorder.keep(simulation_, steadiness_.window());
+        const auto checkpoint = recorder.keep(simulation_, memory());
         manifest_.results = results();
         write("done");
         return outcome(checkpoint);
@@ -66,9 +67,10 @@ private:
     void restart(const std::filesystem::path& file) {
         Checkpoint checkpoint = load_checkpoint(file, manifest_.scene);
         simulation_.restore(std::move(checkpoint.state));
-        steadiness_.resume(checkpoint.window);
+        steadiness_.resume(checkpoint.memory.window);
+        if (checkpoint.memory.choice) steps_->resume(std::move(*checkpoint.memory.choice));
         manifest_.restarted_from = file.string();
-        if (simulation_.state().step >= last_step_)
+        if (steps_->at_the_end(simulation_.state()))
             throw InputError(
                 fmt::format("{} is at {} s, which is not before time.end = {} s; set "
                             "a later time.end",
@@ -83,27 +85,26 @@ private:
             steadiness_.record(state, summary);
         };
         const Observer record = [&](Simulation& simulation, double before) {
-            recorder.record(simulation, summary, before, steadiness_.window());
+            recorder.record(simulation, summary, before, memory());
         };
         const Observer show = [&](Simulation&, double) {
             if (options_.watch)
                 options_.watch({manifest_.first_step,
-                                last_step_,
+                                steps_->last_step(state),
                                 {state.step, state.time, summary.mean_burn_rate}});
         };
-        const Stop at_end = at_the_end(simulation_);
         const Stop ended = [&](const Simulation& simulation) {
-            return at_end(simulation) || steadiness_.reached();
+            return steps_->at_the_end(simulation.state()) || steadiness_.reached();
         };
-        run_until(simulation_, ended, {summarise, record, show});
+        run_until(simulation_, *steps_, ended, {summarise, record, show});
     }
 
     /// Keeps the last good state and says where.
     [[noreturn]] void give_up(Recorder& recorder, const NumericalFailure& failure) {
         std::string kept;
         try {
-            kept = "the last good state is kept in " +
-                   recorder.keep(simulation_, steadiness_.window()).string();
+            kept =
+                "the last good state is kept in " + recorder.keep(simulation_, memory()).string();
             write(std::string("failed: ") + failure.what());
         } catch (const InputError& error) {
             kept = fmt::format("the last good state is lost: {}", error.what());
@@ -111,10 +112,13 @@ private:
         throw with_advice(failure, kept);
     }
 
+    RunMemory memory() const { return {steadiness_.window(), steps_->choice()}; }
+
     void write(const std::string& outcome) {
         manifest_.outcome = outcome;
         manifest_.last_step = simulation_.state().step;
         manifest_.time = simulation_.state().time;
+        if (const auto choice = steps_->choice()) manifest_.steps = choice->count;
         manifest_.ended = std::chrono::system_clock::now();
         write_manifest(options_.directory / "manifest.json", manifest_);
     }
@@ -139,14 +143,15 @@ private:
                 .summary = simulation_.summary(),
                 .seconds = wall.count(),
                 .steps = state.step - manifest_.first_step,
+                .chosen = manifest_.steps,
                 .timing = simulation_.timing(),
                 .checkpoint = checkpoint};
     }
 
     const BurnOptions& options_;
-    const long last_step_;
     Clock::time_point started_ = Clock::now();
     Simulation simulation_;
+    std::unique_ptr<Steps> steps_;
     Steadiness steadiness_;
     Manifest manifest_;
 };

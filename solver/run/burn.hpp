@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/files/step_choice.hpp"
 #include "solver/run/progress.hpp"
 #include "solver/step/simulation.hpp"
 
@@ -33,6 +34,7 @@ struct BurnOutcome {
     Summary summary;                   ///< of the last step
     double seconds;                    ///< wall time of the steps and their output
     long steps;                        ///< done by this run
+    std::optional<StepCount> chosen;   ///< how they came about, where they were chosen
     std::vector<ModuleTime> timing;    ///< of each module
     std::filesystem::path checkpoint;  ///< of the last state
 };

@@ -69,6 +69,10 @@ std::optional<fs::path> last_checkpoint(const fs::path& directory, const Scene& 
 
 void make(Scene scene, const std::optional<Found>& found, const fs::path& directory,
           const std::function<void(double)>& progress) {
+    if (scene.time.accuracy)
+        throw InputError(
+            "time.step = \"auto\" is for crawford burn: runs that are kept for figures "
+            "are known by the number of their steps; give a time.step");
     BurnOptions options{.name = run_name, .directory = directory};
     if (progress)
         options.watch = [&](const BurnProgress& p) {

@@ -4,13 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "solver/step/simulation.hpp"
+#include "solver/run/steps.hpp"
 
 namespace crawford {
-
-/// The last step of a run. An end that is no multiple of the step is passed by the least that
-/// covers it.
-long last_step(const Time& time);
 
 /// Whether the run stops; asked before each step.
 using Stop = std::function<bool(const Simulation&)>;
@@ -19,16 +15,14 @@ using Stop = std::function<bool(const Simulation&)>;
 /// forget its factorisation, as a checkpoint does.
 using Observer = std::function<void(Simulation&, double before)>;
 
-/// Stops at the last step of the scene.
-Stop at_the_end(const Simulation& simulation);
-
 /// Stops `count` steps from where the simulation now stands.
 Stop after_steps(const Simulation& simulation, long count);
 
-/// Steps until `stop`, and tells all observers of each step, in their order. Step n ends at n dt,
-/// so that times do not pile up rounding.
+/// Steps until `stop`, and tells all observers of each step, in their order.
 /// \throws NumericalFailure if a step fails: no observer is told of it, and the state is the last
 /// good one.
+void run_until(Simulation& simulation, Steps& steps, const Stop& stop,
+               const std::vector<Observer>& observers = {});
 void run_until(Simulation& simulation, const Stop& stop,
                const std::vector<Observer>& observers = {});
 

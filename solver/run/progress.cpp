@@ -23,21 +23,21 @@ std::string progress_line(const Standing& standing, long last_step, double secon
         .substr(0, columns);
 }
 
-Progress::Progress(std::ostream& terminal, bool shown, long first_step, long last_step)
-    : terminal_(terminal), shown_(shown), first_step_(first_step), last_step_(last_step) {}
+Progress::Progress(std::ostream& terminal, bool shown, long first_step)
+    : terminal_(terminal), shown_(shown), first_step_(first_step) {}
 
 Progress::~Progress() {
     if (line_open_) terminal_ << std::endl;
 }
 
-void Progress::show(const Standing& standing) {
+void Progress::show(const Standing& standing, long last_step) {
     const auto now = Clock::now();
-    if (!shown_ || (now < next_ && standing.step < last_step_)) return;
+    if (!shown_ || (now < next_ && standing.step < last_step)) return;
     next_ = now + std::chrono::milliseconds(100);
     const std::chrono::duration<double> elapsed = now - started_;
     const double pace = elapsed.count() / double(standing.step - first_step_);
     const std::string line =
-        progress_line(standing, last_step_, pace * double(last_step_ - standing.step));
+        progress_line(standing, last_step, pace * double(last_step - standing.step));
     terminal_ << fmt::format("\r{:<{}}", line, columns) << std::flush;
     line_open_ = true;
 }

@@ -20,14 +20,14 @@ std::string progress_line(const Standing& standing, long last_step, double secon
 class Progress {
 public:
     /// Writes to `terminal`, unless it is not `shown`.
-    Progress(std::ostream& terminal, bool shown, long first_step, long last_step);
+    Progress(std::ostream& terminal, bool shown, long first_step);
     ~Progress();  ///< leaves the line standing and begins a new one, for what is printed next
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// At most ten times a second, and at the last step. The time to go follows from the mean pace
+    /// At most ten times a second, and at the last step, which may be an estimate. The time to go follows from the mean pace
     /// so far.
-    void show(const Standing& standing);
+    void show(const Standing& standing, long last_step);
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -35,7 +35,6 @@ private:
     std::ostream& terminal_;
     bool shown_;
     long first_step_;
-    long last_step_;
     Clock::time_point started_ = Clock::now();
     Clock::time_point next_ = started_;
     bool line_open_ = false;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/files/checkpoint.hpp"
 #include "solver/run/peak.hpp"
 
 namespace crawford {
@@ -37,7 +36,7 @@ HistoryRow history_row(const Simulation& simulation, const Summary& summary) {
                    .regression_rate = summary.regression_rate,
                    .least_temperature = summary.least_temperature,
                    .largest_slope = largest_slope(simulation.grid(), state.surface),
-                   .step = simulation.scene().time.step};
+                   .step = state.length};
     if (state.stress.pressure.empty()) return row;
     const NodeVectors position = positions(simulation.grid(), state.surface);
     const CellField material = simulation.material_fraction();
@@ -70,21 +69,20 @@ Recorder::Recorder(std::filesystem::path directory, std::string name, Provenance
 }
 
 void Recorder::record(Simulation& simulation, const Summary& summary, double before,
-                      const std::vector<Sample>& window) {
+                      const RunMemory& memory) {
     const State& state = simulation.state();
     if (state.step % output_.history_every == 0) history_.append(history_row(simulation, summary));
     if (output_.snapshots_every && is_due(before, state.time, *output_.snapshots_every))
         take_snapshot(simulation);
     if (output_.checkpoint_every && is_due(before, state.time, *output_.checkpoint_every)) {
-        take_checkpoint(simulation, window);
+        take_checkpoint(simulation, memory);
         simulation.forget_factorisation();
     }
 }
 
-std::filesystem::path Recorder::keep(const Simulation& simulation,
-                                     const std::vector<Sample>& window) {
+std::filesystem::path Recorder::keep(const Simulation& simulation, const RunMemory& memory) {
     if (simulation.state().step != last_snapshot_) take_snapshot(simulation);
-    return take_checkpoint(simulation, window);
+    return take_checkpoint(simulation, memory);
 }
 
 void Recorder::take_snapshot(const Simulation& simulation) {
@@ -93,10 +91,10 @@ void Recorder::take_snapshot(const Simulation& simulation) {
 }
 
 std::filesystem::path Recorder::take_checkpoint(const Simulation& simulation,
-                                                const std::vector<Sample>& window) {
+                                                const RunMemory& memory) {
     const State& state = simulation.state();
     auto path = checkpoint_file(directory_, name_, state.step);
-    save_checkpoint(path, {state, window}, provenance_);
+    save_checkpoint(path, {state, memory}, provenance_);
     return path;
 }
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "solver/files/checkpoint.hpp"
 #include "solver/files/history.hpp"
 #include "solver/files/provenance.hpp"
 #include "solver/files/snapshot_series.hpp"
-#include "solver/run/steadiness.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -31,16 +31,15 @@ public:
     /// Writes what is due after a step that began at time `before` [s]. At a checkpoint the
     /// simulation forgets its factorisation, as a restarted run has none.
     void record(Simulation& simulation, const Summary& summary, double before,
-                const std::vector<Sample>& window);
+                const RunMemory& memory);
 
     /// Writes snapshot and checkpoint of the present state, unless they are written already.
     /// \returns the checkpoint's file.
-    std::filesystem::path keep(const Simulation& simulation, const std::vector<Sample>& window);
+    std::filesystem::path keep(const Simulation& simulation, const RunMemory& memory);
 
 private:
     void take_snapshot(const Simulation& simulation);
-    std::filesystem::path take_checkpoint(const Simulation& simulation,
-                                          const std::vector<Sample>& window);
+    std::filesystem::path take_checkpoint(const Simulation& simulation, const RunMemory& memory);
 
     std::filesystem::path directory_;
     std::string name_;

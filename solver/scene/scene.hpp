@@ -98,9 +98,16 @@ enum class Stepping {
     bdf2    ///< two steps back, what is explicit extrapolated to the new time; second order
 };
 
+/// Relative error that a step may add where steps are chosen and the scene does not say.
+constexpr double default_accuracy = 1e-3;
+/// [s] Short against the time in which heat crosses any cell, and soon left behind.
+constexpr double first_chosen_step = 1e-6;
+
 struct Time {
-    double step = 20e-6;  ///< dt [s]
-    double end = 0.1;     ///< [s]; the latest end where until_steady is given
+    double step = 20e-6;  ///< dt [s]; of the first step where steps are chosen
+    /// Relative error that a step may add, where steps are chosen by it (`step = "auto"`).
+    std::optional<double> accuracy = std::nullopt;
+    double end = 0.1;  ///< [s]; the latest end where until_steady is given
     /// Stop when the mean burn rate changes less than this, relative, per ms.
     std::optional<double> until_steady = std::nullopt;
     Stepping scheme = Stepping::euler;

@@ -96,7 +96,13 @@ template <class Table>
 void visit(Table& table, Time& t) {
     static constexpr std::array schemes{Word<Stepping>{"euler", Stepping::euler},
                                         Word<Stepping>{"bdf2", Stepping::bdf2}};
-    table.quantity("step", t.step, duration, Need::required);
+    bool chosen = t.accuracy.has_value();
+    table.quantity_or("auto", chosen, "step", t.step, duration);
+    if (chosen) {
+        t.step = first_chosen_step;
+        if (!t.accuracy) t.accuracy = default_accuracy;
+        table.number("accuracy", t.accuracy, {"", 1e-8, 0.1});
+    }
     table.quantity("end", t.end, duration, Need::required);
     table.number("until_steady", t.until_steady, {"", 1e-15, 1.0});
     table.choice("scheme", t.scheme, schemes);

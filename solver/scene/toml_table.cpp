@@ -109,6 +109,16 @@ void TomlTable::quantity(std::string_view key, std::optional<double>& value, con
     if (has(key)) value = read;
 }
 
+void TomlTable::quantity_or(std::string_view word, bool& is_word, std::string_view key,
+                            double& value, const Limits& limits) {
+    const toml::node* node = table_->get(key);
+    is_word = node != nullptr && node->value_exact<std::string>() == word;
+    if (is_word)
+        allow(key);
+    else
+        quantity(key, value, limits, Need::required);
+}
+
 void TomlTable::number(std::string_view key, double& value, const Limits& limits, Need need) {
     const toml::node* node = find(key, need);
     if (node == nullptr) return;

@@ -33,6 +33,9 @@ public:
     /// A string with a number and a unit, in SI.
     void quantity(std::string_view key, double& value, const Limits&, Need = Need::optional);
     void quantity(std::string_view key, std::optional<double>& value, const Limits&);
+    /// A required quantity, or a word in its place.
+    void quantity_or(std::string_view word, bool& is_word, std::string_view key, double& value,
+                     const Limits&);
     /// A pure number.
     void number(std::string_view key, double& value, const Limits&, Need = Need::optional);
     void number(std::string_view key, std::optional<double>& value, const Limits&);

@@ -56,6 +56,13 @@ public:
     void integer(const char* key, int value, const IntegerLimits&, Need = Need::optional) {
         line(key, fmt::format("{}", value));
     }
+    void quantity_or(std::string_view word, bool is_word, const char* key, double value,
+                     const Limits& limits) {
+        if (is_word)
+            text(key, word);
+        else
+            quantity(key, value, limits);
+    }
     void flag(const char* key, bool value) { line(key, value ? "true" : "false"); }
     void text(const char* key, std::string_view value) { line(key, in_quotes(value)); }
     template <class Choice, std::size_t n>

@@ -82,46 +82,50 @@ struct Simulation::Modules {
 
     /// phi_t of a surface whose nodes have this temperature and velocity.
     SurfaceField surface_rate_of(const SurfaceField& surface, const NodeField& temperature,
-                                 const NodeVectors& velocity) const {
+                                 const NodeVectors& velocity, double length) const {
         const bool carried = scene.numerics.surface_motion == SurfaceMotion::burning_with_material;
         std::vector<Vector> of_material;
         if (carried && !velocity.empty())
             for (int i = 0; i < grid.node_columns(); ++i)
                 of_material.push_back(velocity(i, grid.rows()));
-        return front->rate({surface, temperature, of_material}, scene.time.step);
+        return front->rate({surface, temperature, of_material}, length);
     }
 
-    /// The state one step after `now`, at the time `end`.
-    State advanced(const State& now, double end) {
-        const double dt = scene.time.step;
+    /// The state one step of `length` after `now`, at the time `end`.
+    State advanced(const State& now, double end, double length) {
         State next;
         if (now.previous) {
-            next = combination(4.0 / 3.0, now, -1.0 / 3.0, *now.previous);
-            advance(next, combination(2.0, now, -1.0, *now.previous), bdf2_step(now.time, dt));
+            const double ratio = length / now.length;
+            const TwoStepWeights w = bdf2_weights(ratio);
+            next = combination(w.of_now, now, -w.of_before, *now.previous);
+            advance(next, combination(1.0 + ratio, now, -ratio, *now.previous),
+                    bdf2_step(now.time, length, ratio), length);
         } else {
             next = now;
-            advance(next, now, euler_step(now.time, dt));
+            advance(next, now, euler_step(now.time, length), length);
         }
         next.step = now.step + 1;
         next.time = end;
+        next.length = length;
         return next;
     }
 
     /// One step. `next` enters as the base of the step; `now` is the explicit state.
-    void advance(State& next, const State& now, TimeStep step) {
+    void advance(State& next, const State& now, TimeStep step, double length) {
         if (heat) {
             step.implicit_heat = std::max(step.implicit_heat, heat->least_implicit(step.span));
-            move_heat(next, now, step);
+            move_heat(next, now, step, length);
         }
         const SurfaceField base = next.surface;
-        move_surface(next, now, step);
+        move_surface(next, now, step, length);
         if (stress) move_solid(next, now, base, step);
     }
 
-    void move_heat(State& next, const State& now, const TimeStep& step) {
+    void move_heat(State& next, const State& now, const TimeStep& step, double length) {
         if (scene.surface.modulation)
             law = {scene.physics.regression, heated_at(scene.surface, step.heat_time())};
-        const SurfaceField rate = surface_rate_of(now.surface, now.temperature, now.velocity);
+        const SurfaceField rate =
+            surface_rate_of(now.surface, now.temperature, now.velocity, length);
         const HeatMotion motion{{now.surface, rate, now.velocity}, now.temperature_rate};
         stopwatch.measure("heat", [&] {
             const NodeField base = next.temperature;
@@ -133,9 +137,10 @@ struct Simulation::Modules {
     }
 
     /// phi' = phi + dt phi_t, with the burn rate of the new temperature (paper sec. 3.5).
-    void move_surface(State& next, const State& now, const TimeStep& step) {
+    void move_surface(State& next, const State& now, const TimeStep& step, double length) {
         stopwatch.measure("burning", [&] {
-            const SurfaceField rate = surface_rate_of(now.surface, next.temperature, now.velocity);
+            const SurfaceField rate =
+                surface_rate_of(now.surface, next.temperature, now.velocity, length);
             for (size_t i = 0; i < rate.size(); ++i) {
                 next.surface[i] += step.span * rate[i];
                 if (!std::isfinite(next.surface[i]))
@@ -205,23 +210,22 @@ Simulation::Simulation(Scene scene, Sources sources)
 
 Simulation::~Simulation() = default;
 
-void Simulation::step(double end) {
+void Simulation::step(double end, double length) {
     State next;
     try {
-        next = modules_->advanced(modules_->state, end);
+        next = modules_->advanced(modules_->state, end, length);
     } catch (const NumericalFailure& failure) {
         modules_->materials.follow(modules_->state.surface, modules_->state.reference_shift);
         FailureFields fields = failure.fields();
         fields.step = modules_->state.step + 1;
-        fields.time = modules_->state.time + modules_->scene.time.step;
+        fields.time = modules_->state.time + length;
         throw NumericalFailure(std::move(fields));
     }
     if (!modules_->stress && modules_->materials.moves()) modules_->materials.follow(next.surface);
     const auto height = [&](const State& state) {
         return mean_height(modules_->grid, state.surface);
     };
-    modules_->regression_rate =
-        (height(modules_->state) - height(next)) / modules_->scene.time.step;
+    modules_->regression_rate = (height(modules_->state) - height(next)) / length;
     next.previous = modules_->remembered(std::move(modules_->state));
     modules_->state = std::move(next);
 }
@@ -231,6 +235,7 @@ void Simulation::restore(State state) {
     const bool fits = same_shape(state, modules_->state) &&
                       (!state.previous || (looks_back && same_shape(*state.previous, state)));
     if (!fits) throw InputError("checkpoint: its fields are not those of the scene");
+    if (state.previous && state.length == 0.0) state.length = modules_->scene.time.step;
     modules_->materials.follow(state.surface, state.reference_shift);
     modules_->state = std::move(state);
 }

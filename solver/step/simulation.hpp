@@ -35,12 +35,14 @@ public:
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
-    /// Advances the state by one step of time.step, which ends at `end` [s].
+    /// Advances the state by one step of `length`, which ends at `end` [s]: given apart, so that
+    /// neither piles up rounding.
     /// \throws NumericalFailure naming the step, the module and the place; state() is then still the
     /// last good one.
-    void step(double end);
+    void step(double end, double length);
 
-    /// Goes on from a checkpoint, bit for bit as if never stopped.
+    /// Goes on from a checkpoint, bit for bit as if never stopped. A state that looks back and has no
+    /// length came by a step of time.step.
     /// \throws InputError if the state's fields or sizes are not those of the scene.
     void restore(State state);
 

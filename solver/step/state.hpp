@@ -12,6 +12,7 @@ namespace crawford {
 struct State {
     long step = 0;
     double time = 0.0;            ///< [s]
+    double length = 0.0;          ///< of the step that led here [s]; 0 at the start
     SurfaceField surface;         ///< phi [m] of each node column
     NodeField temperature;        ///< T [K]
     NodeVectors velocity;         ///< v [m/s]
@@ -29,7 +30,7 @@ State initial_state(const Scene& scene, const Grid& grid);
 /// Whether the fields of both have the same sizes.
 bool same_shape(const State& a, const State& b);
 
-/// a x + b y, field by field; time, step and previous are those of x.
+/// a x + b y, field by field; time, step, length and previous are those of x.
 /// Both must be states of the same scene.
 State combination(double a, const State& x, double b, const State& y);
 

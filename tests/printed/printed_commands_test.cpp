@@ -74,7 +74,7 @@ protected:
         fs::create_symlink(stand_in, root_ / "bin" / "make");
         fs::create_symlink(stand_in, root_ / "bin" / "ctest");
     }
-    ~PrintedCommands() override { fs::remove_all(root_); }
+    void TearDown() override { fs::remove_all(root_); }
 
     Finished run(const std::string& commands) const {
         const char* path = std::getenv("PATH");

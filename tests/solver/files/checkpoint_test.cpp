@@ -110,8 +110,8 @@ protected:
 
 TEST_F(OutputCheckpoint, GivesBackEveryBit) {
     const State state = awkward_state();
-    save_checkpoint(file(), {state, {{0.1, 0.2}, {0.3, 1.0 / 3.0}}}, provenance);
-    const auto [back, window] = load_checkpoint(file(), scene);
+    save_checkpoint(file(), {state, {.window = {{0.1, 0.2}, {0.3, 1.0 / 3.0}}}}, provenance);
+    const auto [back, memory] = load_checkpoint(file(), scene);
     EXPECT_EQ(back.step, state.step);
     EXPECT_EQ(back.time, state.time);
     for (size_t i = 0; i < 3; ++i)
@@ -125,9 +125,9 @@ TEST_F(OutputCheckpoint, GivesBackEveryBit) {
     EXPECT_EQ(bits_of(back.stress.pressure), bits_of(state.stress.pressure));
     EXPECT_EQ(bits_of(back.temperature_rate), bits_of(state.temperature_rate));
     EXPECT_EQ(bits_of(back.reference_shift), bits_of(state.reference_shift));
-    ASSERT_EQ(window.size(), 2u);
-    EXPECT_EQ(window[1].time, 0.3);
-    EXPECT_EQ(window[1].value, 1.0 / 3.0);
+    ASSERT_EQ(memory.window.size(), 2u);
+    EXPECT_EQ(memory.window[1].time, 0.3);
+    EXPECT_EQ(memory.window[1].value, 1.0 / 3.0);
 }
 
 TEST_F(OutputCheckpoint, KeepsTheStateBefore) {
@@ -150,13 +150,14 @@ TEST_F(OutputCheckpoint, KeepsEmptyFieldsEmpty) {
     state.surface = {0.0};
     state.temperature = NodeField(1, 5, 300.0);
     save_checkpoint(file(), {state, {}}, provenance);
-    const auto [back, window] = load_checkpoint(file(), scene);
+    const auto [back, memory] = load_checkpoint(file(), scene);
     EXPECT_FALSE(back.temperature.empty());
     EXPECT_TRUE(back.velocity.empty());
     EXPECT_TRUE(back.stress.empty());
     EXPECT_TRUE(back.temperature_rate.empty());
     EXPECT_TRUE(back.reference_shift.empty());
-    EXPECT_TRUE(window.empty());
+    EXPECT_TRUE(memory.window.empty());
+    EXPECT_FALSE(memory.choice);
 }
 
 TEST_F(OutputCheckpoint, OfAnotherSceneIsRefusedNamingWhatDiffers) {

@@ -36,8 +36,9 @@ TEST_F(OutputRun, ClockTimeIsReadAtAGlance) {
 TEST_F(OutputRun, ProgressRewritesOneLineAndEndsIt) {
     std::ostringstream terminal;
     {
-        Progress progress(terminal, true, 0, 1000);
-        for (long step = 1; step <= 1000; ++step) progress.show({step, 1e-5 * double(step), 0.0});
+        Progress progress(terminal, true, 0);
+        for (long step = 1; step <= 1000; ++step)
+            progress.show({step, 1e-5 * double(step), 0.0}, 1000);
     }
     const std::string text = terminal.str();
     EXPECT_EQ(std::ranges::count(text, '\n'), 1);
@@ -50,7 +51,7 @@ TEST_F(OutputRun, ProgressRewritesOneLineAndEndsIt) {
 
 TEST_F(OutputRun, ProgressIsSilentWhenNotShown) {
     std::ostringstream terminal;
-    { Progress(terminal, false, 0, 2).show({2, 1.0, 1.0}); }
+    { Progress(terminal, false, 0).show({2, 1.0, 1.0}, 2); }
     EXPECT_EQ(terminal.str(), "");
 }
 

@@ -107,7 +107,7 @@ double first_step(const std::string& scheme) {
     const auto rise = [&](std::vector<std::string> overrides) {
         overrides.push_back("time.scheme=" + scheme);
         Simulation simulation(with(overrides));
-        simulation.step(20e-6);
+        simulation.step(20e-6, 20e-6);
         if (scheme == "bdf2") {  // its first step is the other scheme's
             const State first = simulation.state();
             State start = Simulation(with(overrides)).state();
@@ -116,7 +116,7 @@ double first_step(const std::string& scheme) {
             before.time = -20e-6;
             start.previous = std::make_shared<const State>(before);
             simulation.restore(start);
-            simulation.step(20e-6);
+            simulation.step(20e-6, 20e-6);
         }
         return simulation.state().temperature(0, 16) - 300.0;
     };
