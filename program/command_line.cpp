@@ -42,7 +42,7 @@ struct Parser {
         app.require_subcommand(1);
         add_quiet(&app, quiet);
         app.get_formatter()->column_width(34);
-        app.footer(help::program_examples);
+        add_footer(&app, help::program_examples);
         add_list();
         add_run();
         add_ledger();
@@ -79,7 +79,7 @@ struct Parser {
             if (run.from_records && fidelity->count() == 0) run.fidelity.clear();
         });
         add_quiet(run_command, run.quiet);
-        run_command->footer(help::run_examples);
+        add_footer(run_command, help::run_examples);
     }
 
     void add_ledger() {
@@ -91,7 +91,7 @@ struct Parser {
             ->capture_default_str();
         add_out(ledger_command, ledger.out, "out")->capture_default_str();
         add_quiet(ledger_command, ledger.quiet);
-        ledger_command->footer(help::ledger_examples);
+        add_footer(ledger_command, help::ledger_examples);
     }
 
     void add_verify() {
@@ -121,7 +121,7 @@ struct Parser {
             ->type_name("FILE");
         add_out(verify_command, verify.out, "out/verify")->capture_default_str();
         add_quiet(verify_command, verify.quiet);
-        verify_command->footer(help::verify_examples);
+        add_footer(verify_command, help::verify_examples);
     }
 
     void add_against() {
@@ -146,14 +146,14 @@ struct Parser {
         refuse_empty(report_command->add_option("--out", report.out, "Directory with results"))
             ->type_name("DIR")
             ->capture_default_str();
-        report_command->footer(help::report_examples);
+        add_footer(report_command, help::report_examples);
     }
 
     void add_burn() {
         burn_command = app.add_subcommand("burn", help::burn);
         burn_command->add_option("SCENE", burn.scene, "Scene file (TOML), see cases/scenes/")
             ->required();
-        add_set(burn_command, burn.set, "surface.pressure=\"3 MPa\"");
+        add_set(burn_command, burn.set, "surface.heat_flux=\"190 cal/(s cm2)\"");
         add_out(burn_command, burn.out, "out/<name of the scene>");
         refuse_empty(burn_command->add_option("--restart", burn.restart,
                                               "Go on from a checkpoint of this scene"))
@@ -163,7 +163,7 @@ struct Parser {
             "--check", burn.check, "Run nothing: print the scene's numbers and their limits");
         burn_command->add_flag("--json", burn.json, "Print them as JSON")->needs(check);
         add_quiet(burn_command, burn.quiet);
-        burn_command->footer(help::burn_examples);
+        add_footer(burn_command, help::burn_examples);
     }
 
     void add_pack() {
@@ -173,7 +173,7 @@ struct Parser {
         refuse_empty(pack_command->add_option("--out", pack.out,
                                               "Table to write, else out/<name of the scene>.csv"))
             ->type_name("FILE");
-        pack_command->footer(help::pack_examples);
+        add_footer(pack_command, help::pack_examples);
     }
 
     static void add_set(CLI::App* command, std::vector<std::string>& set, const char* example) {
@@ -195,6 +195,10 @@ struct Parser {
                    command->add_option("--out", out,
                                        fmt::format("Directory for the results, else {}", usual)))
             ->type_name("DIR");
+    }
+
+    static void add_footer(CLI::App* command, const std::string& examples) {
+        command->footer(examples + '\n' + help::exit_codes);
     }
 
     static void add_quiet(CLI::App* command, bool& quiet) {
@@ -266,6 +270,8 @@ std::variant<Action, Answer> read_command_line(const CommandLine& arguments) {
     try {
         parser->app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
+        if (const auto unknown = parser->app.remaining(true); !unknown.empty())
+            refuse_unknown(*parser, unknown.front());
         return Answer{parser->app.help()};
     } catch (const CLI::CallForVersion& answer) {
         return Answer{std::string(answer.what()) + '\n'};

@@ -13,8 +13,10 @@ Examples:
   crawford verify slab                         the solver against an exact solution
   crawford burn cases/scenes/sandwich.toml     a scene of your own: copy this file and change it
 
-crawford COMMAND --help says more. Exit codes: 0 done, 1 a gate fell short, 2 the input is wrong,
-3 the numbers failed.)";
+crawford COMMAND --help says more.)";
+
+inline constexpr auto exit_codes = R"(
+Exit codes: 0 done, 1 a gate fell short, 2 the input is wrong, 3 the numbers failed.)";
 
 inline constexpr auto run =
     "Draw cases: figures and their numbers (CSV, manifest) into DIR/figures";
@@ -85,9 +87,9 @@ Snapshots are VTKHDF: open DIR/<scene>.hdf.series in ParaView.
 
 Examples:
   crawford burn cases/scenes/sandwich.toml
-  crawford burn cases/scenes/sandwich.toml --set surface.pressure="4 MPa" --set domain.nx=128
-  crawford burn cases/scenes/sandwich.toml --out out/s --set 'time.end="0.3 s"' \
-      --restart out/s/sandwich_checkpoint_004000.h5)";
+  crawford burn cases/scenes/sandwich.toml --set surface.heat_flux="9 MW/m2"
+  crawford burn cases/scenes/sandwich.toml --out out/sandwich --set time.until_steady= \
+      --set time.end="0.12 s" --restart out/sandwich/sandwich_checkpoint_004000.h5)";
 
 inline constexpr auto pack = "Write the discs of a scene, as a rule a random pack, as CSV";
 

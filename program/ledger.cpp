@@ -4,9 +4,11 @@
 
 #include <chrono>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "base/atomic_file.hpp"
+#include "base/build_info.hpp"
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
 #include "base/source_tree.hpp"
@@ -20,6 +22,7 @@
 #include "program/pages.hpp"
 #include "program/provenance.hpp"
 #include "program/queue.hpp"
+#include "reports/ledger_line.hpp"
 
 namespace crawford {
 
@@ -121,15 +124,31 @@ reports::Ledger settle(const LedgerOptions& options, const CommandLine& command)
         });
     auto manifest = provenance(command);
     manifest["fidelity"] = options.fidelity;
+    manifest["source_fingerprint"] = source_fingerprint();
     manifest["wall_seconds"] = std::chrono::duration<double>(Clock::now() - started).count();
     settled.manifest = manifest.dump();
     return settled;
 }
 
+/// Of which sources its numbers are. One settled before sources were noted is known by its revision.
+std::string age_of(const reports::Ledger& ledger) {
+    const auto manifest = nlohmann::json::parse(ledger.manifest);
+    const std::string of = manifest.value("revision", "unknown");
+    const std::string settled = fmt::format("settled at revision {}, fidelity {}", of,
+                                            manifest.value("fidelity", "unknown"));
+    const bool current = manifest.contains("source_fingerprint")
+                             ? manifest.at("source_fingerprint") == source_fingerprint()
+                             : of == revision();
+    if (current) return settled + ", by these sources";
+    return fmt::format(
+        "{}; it may be stale: the sources are now at {} (make ledger settles it anew)", settled,
+        revision());
+}
+
 void tell(const reports::Ledger& ledger) {
-    for (const auto& row : ledger.rows)
-        std::cout << fmt::format("{:<9} {:<54.54} {:>12.12}  {}\n", row.where, row.claim,
-                                 row.value ? row.ours : "in words", name(row.standing));
+    std::cout << reports::heading_of_lines() << '\n';
+    for (const auto& row : ledger.rows) std::cout << reports::line_of(row) << '\n';
+    std::cout << age_of(ledger) << '\n';
 }
 
 }  // namespace

@@ -45,14 +45,24 @@ std::string rest_of_manifest(const fs::path& figures, const std::string& name) {
     return manifest.dump();
 }
 
+std::string options_of(const std::string& fidelity, const fs::path& out) {
+    const auto options = fmt::format("--fidelity {}", fidelity);
+    return out == "out" ? options : fmt::format("{} --out {}", options, out.string());
+}
+
 std::string command_of(const Entry& entry, const std::string& fidelity, const fs::path& out) {
-    const auto command = fmt::format("build/crawford run {} --fidelity {}", entry.name, fidelity);
-    return out == "out" ? command : fmt::format("{} --out {}", command, out.string());
+    return fmt::format("build/crawford run {} {}", entry.name, options_of(fidelity, out));
 }
 
 double cost_of(const Entry& entry, const std::string& fidelity) {
     if (fidelity == "draft") return entry.cost.draft;
     return fidelity == "paper" ? entry.cost.paper : 0.0;
+}
+
+std::vector<std::string> movie_files(const Entry& entry, const fs::path& out) {
+    auto store = figure_records(out);
+    const auto movie = drawn_record(store, movie_name(entry));
+    return movie ? names(movie->figure->pictures()) : std::vector<std::string>();
 }
 
 /// Nothing if it has not been drawn.
@@ -74,9 +84,7 @@ std::optional<page::DrawnCase> drawn(const Entry& entry, const fs::path& out) {
                           .data = names(record->figure->data()),
                           .scenes = record->scenes,
                           .manifest = rest_of_manifest(out / "figures", entry.name)};
-    if (const auto movie = drawn_record(store, movie_name(entry)))
-        for (const std::string& name : names(movie->figure->pictures()))
-            drawn.pictures.push_back(name);
+    for (const std::string& name : movie_files(entry, out)) drawn.pictures.push_back(name);
     for (const Finding& finding : findings_of(*record))
         drawn.findings.push_back({finding.what, finding.value, finding.unit});
     return drawn;
@@ -127,6 +135,11 @@ std::optional<reports::Ledger> ledger(const fs::path& file) {
     }
 }
 
+void add_missing(page::FigureBook& book, const Entry& entry, const fs::path& out) {
+    book.not_drawn.push_back(entry.name);
+    for (const std::string& name : movie_files(entry, out)) book.movies.push_back(name);
+}
+
 page::FigureBook book_of(const fs::path& out) {
     const Reported verification = reported(out);
     page::FigureBook book{.physics = {physics::all.begin(), physics::all.end()},
@@ -138,8 +151,9 @@ page::FigureBook book_of(const fs::path& out) {
         if (auto found = drawn(entry, out))
             book.cases.push_back(std::move(*found));
         else
-            book.not_drawn.push_back(entry.name);
+            add_missing(book, entry, out);
     }
+    if (!book.cases.empty()) book.options = options_of(book.cases.back().fidelity, out);
     return book;
 }
 
@@ -153,7 +167,7 @@ std::string opening_comment_of(const Entry& entry) {
 
 std::optional<fs::path> write_figure_pages(const fs::path& out) {
     const page::FigureBook book = book_of(out);
-    if (book.cases.empty() && !book.ledger) return {};
+    if (book.cases.empty() && book.movies.empty() && !book.ledger) return {};
     const fs::path figures = out / "figures";
     std::vector<std::string> pages;
     for (size_t k = 0; k < book.cases.size(); ++k) {

@@ -10,7 +10,7 @@
 namespace crawford::reports {
 namespace {
 
-constexpr std::size_t name_width = 52;
+constexpr std::size_t name_width = 48;
 
 std::vector<GateResult> gates_of(const Verification& v, const std::string& study) {
     std::vector<GateResult> gates;
@@ -30,7 +30,7 @@ std::string line_of(const StudyRecord& study, const Count& count) {
                                 ? '\n' + std::string(name_width, ' ')
                                 : std::string(name_width - study.name.size(), ' ');
     const auto passed = fmt::format("{}/{}", count.passed, count.all());
-    return fmt::format("{}{} {:>7}  {:<9} {:>6.1f} s\n", study.name, gap, passed, words(count),
+    return fmt::format("{}{} {:>7}  {:<9} {:>6.1f} CPU s\n", study.name, gap, passed, words(count),
                        study.seconds);
 }
 

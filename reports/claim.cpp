@@ -31,8 +31,8 @@ LedgerRow judged(const Claim& claim, const Found& found) {
     const auto agrees = [&](double value) { return std::abs(value - claim.value) <= allowed; };
     const auto other = std::ranges::find_if(found.others, agrees, &OtherReading::value);
     const std::string apart =
-        fmt::format("{:+.3g} {} from the paper's, {:.3g} allowed.", found.value - claim.value,
-                    claim.unit == "-" ? "" : claim.unit, allowed);
+        fmt::format("{:+.3g}{} from the paper's, {:.3g} allowed.", found.value - claim.value,
+                    claim.unit == "-" ? "" : ' ' + claim.unit, allowed);
     if (agrees(found.value)) {
         row.standing = Standing::reproduced;
         row.why = apart;

@@ -177,7 +177,7 @@ GateResult judged(const Judge& judge, const Study::Row& row) {
 
 GridRun grid_run(const Study& study, const Record& record) {
     return {record.setting.count(study.axis()), record.found, record.ending.message,
-            record.cost.wall_seconds};
+            record.cost.cpu_seconds};
 }
 
 std::vector<GateResult> judge_rows(const Study& study, const std::vector<GridRun>& runs) {

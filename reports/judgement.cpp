@@ -95,8 +95,8 @@ std::string table(const std::vector<GateResult>& results) {
         if (result.study != study || text.empty()) text += wrapped(result.study, "");
         study = result.study;
         text += result.kind == GateKind::order ? of_order(result) : of_bound(result);
-        text +=
-            wrapped(fmt::format("because {} ({:.1f} s)", result.reason, result.seconds), "    ");
+        text += wrapped(fmt::format("because {} ({:.1f} CPU s)", result.reason, result.seconds),
+                        "    ");
         if (!result.passed)
             text += wrapped((result.gated ? "FAIL: " : "") + result.failure, "    ");
     }

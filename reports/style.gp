@@ -29,7 +29,9 @@ set bmargin 5
 
 # Small print at the foot: grid, step, revision. Where several plots make a panel, it and the heading belong to one:
 # @no_texts before the others, @small_print before the next panel.
-small_print = "set label 100 caption at screen 0.01, screen 0.025 left font ',7' textcolor rgb grey noenhanced"
+# As large as it fits: of 10 points some 105 letters do in a panel of the usual width.
+small_print = "set label 100 caption at screen 0.01, screen 0.025 left font (strlen(caption) > 105 ? ',8' : ',10') \
+textcolor rgb grey noenhanced"
 no_texts = "unset label 100; unset label 101"
 @small_print
 

@@ -75,4 +75,4 @@ set ytics 20
 set style fill solid 0.85 noborder
 plot data_parts using 1:(0):($1 - 0.3):($1 + 0.3):(0):2 with boxxyerror lt 2 title 'capacity counted twice', \
      '' using 1:2:($1 - 0.3):($1 + 0.3):2:($2 + $3) with boxxyerror lt 1 title 'stretch at constant density', \
-     '' using 1:(0):($1 - 0.3):($1 + 0.3):4:(0) with boxxyerror lt 5 title 'mechanics'
+     '' using 1:(0):($1 - 0.3):($1 + 0.3):4:(0) with boxxyerror lt 5 title 'mechanics proper'

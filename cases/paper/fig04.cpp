@@ -47,7 +47,7 @@ std::string error(const std::string& name) {
     return name + ": error of it";
 }
 std::string drop(const std::string& material, const std::string& reading) {
-    return material + ": colder by mechanics, " + reading;
+    return material + ": colder with c_p, as the paper, " + reading;
 }
 constexpr auto three_alpha = "3 alpha K", alpha = "alpha K";
 /// The run with mechanics as read.

@@ -58,7 +58,9 @@ Outcome pack_movie(const Request& request) {
         .set("pitch", pitch / whole_width)
         .set("foot_side", foot / whole_height)
         .set("head_side", 1.0 - head / whole_height)
-        .caption({.grid = grid_text(scene), .step = step_text(scene), .revision = revision()})
+        .caption({.grid = grid_text(scene),
+                  .step = fmt::format("{:g} µs", scene.time.step / us),
+                  .revision = revision()})
         .panel(reports::Format::gif, {.width = int(whole_width), .height = int(whole_height)});
     outcome.findings = {{"frames", double(frames), "-"},
                         {"time between frames", frame_interval / ms, "ms"}};

@@ -14,17 +14,19 @@ do for [k = 1:frames] {
         @map_only
         table = side == 0 ? 'nodes' : 'cells'
         set cbrange [side == 0 ? lowest_temperature : 0:side == 0 ? largest_temperature : largest_strain]
-        set cblabel side == 0 ? 'T / K' : '|E|'
+        set cblabel ''  # it would stand nearer to the other map: each map has it above
         eval value(sprintf('colours_%s1', table))
         splot value(sprintf('data_%s%d', table, k)) using 1:2:3 + side with pm3d
         @map_frame
         set xtics -width / 4, width / 4, width / 4
         set ytics 100
+        set title side == 0 ? 'temperature T / K' : 'strain norm |E|' offset 0, -0.6 noenhanced
         set xlabel 'x / µm'
         if (side == 0) {
             set ylabel 'y / µm'
             eval heading('', sprintf('t = %.0f ms', value(sprintf('time%d', k))))
-            @small_print
+            own_caption = caption . sprintf('  |  t = %.0f ms', value(sprintf('time%d', k)))
+            set label 100 own_caption at screen 0.01, screen 0.025 left font ',9' textcolor rgb grey noenhanced
         } else {
             set ytics format ''
         }

@@ -39,10 +39,14 @@ Html by_figure(const FigureBook& book) {
     for (const auto& drawn : book.cases) rows += case_row(drawn);
     Html text = element("h2", {}, "By figure") + styled("table", "studies gallery", rows);
     if (!book.not_drawn.empty())
-        text += element("p", {},
-                        "Not drawn: " + element("code", {},
-                                                fmt::format("build/crawford run {}",
-                                                            fmt::join(book.not_drawn, " "))));
+        text += element(
+            "p", {},
+            "Not drawn: " +
+                element("code", {},
+                        fmt::format("build/crawford run {}{}{}", fmt::join(book.not_drawn, " "),
+                                    book.options.empty() ? "" : " ", book.options)));
+    for (const auto& movie : book.movies)
+        text += element("p", {}, "Drawn as a movie: " + link_to(movie, movie));
     return element("section", {{"id", "by-figure"}}, text) + "\n";
 }
 

@@ -47,6 +47,8 @@ struct FigureBook {
     std::vector<std::string> physics = {};    ///< All headings
     std::vector<DrawnCase> cases = {};        ///< In the order of the book
     std::vector<std::string> not_drawn = {};  ///< Names of the cases that have not been
+    std::string options = {};                 ///< With which the others were: "--fidelity draft"
+    std::vector<std::string> movies = {};     ///< Files beside the page, of cases not drawn
     std::vector<VerifyingStudy> studies = {};
     std::string verification =
         {};  ///< Address of the report of the studies; empty if there is none

@@ -122,7 +122,7 @@ Html headline(const Verification& v) {
 }
 
 Html table_of_studies(const Verification& v) {
-    Html rows = row("th", {"study", "", "pass", "fail", "not gated", "time", "consists of"});
+    Html rows = row("th", {"study", "", "pass", "fail", "not gated", "CPU time", "consists of"});
     for (const auto& entry : entries_of(v)) rows += entry_row(v, entry);
     return element("section", {{"id", "studies"}},
                    element("h2", {}, "Studies") +

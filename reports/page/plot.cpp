@@ -10,8 +10,8 @@
 namespace crawford::reports::page {
 namespace {
 
-constexpr double width = 250.0, height = 170.0;
-constexpr double left = 44.0, right = 12.0, top = 10.0, bottom = 34.0;
+constexpr double width = 270.0, height = 190.0;
+constexpr double left = 48.0, right = 12.0, top = 24.0, bottom = 38.0;
 
 std::string px(double value) {
     return fmt::format("{:.1f}", value);
@@ -134,7 +134,11 @@ Html order_plot(const GateResult& gate) {
     content += line(left, height - bottom, width - right, height - bottom, "axis");
     content +=
         words(0.5 * (left + width - right), height - 4.0, "middle", "grid (finer to the left)");
+    content += words(4.0, 13.0, "start", "error");
     content += expected_slope(gate, points, x, y);
+    if (!std::isnan(gate.expected))
+        content += words(width - right, 13.0, "end",
+                         fmt::format("dashed: order {:g}, as expected", gate.expected));
     content += element("polyline", {{"points", path}, {"class", "measured"}}) + dots;
     return svg(width, height, "error against cell size, " + title(gate), content);
 }

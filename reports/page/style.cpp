@@ -70,7 +70,7 @@ th { font-weight: 600; }
 .numbers th, .numbers td { text-align: right; padding: .05rem .5rem; white-space: nowrap; }
 .numbers .aside { color: var(--soft); }
 svg { max-width: 100%; height: auto; }
-svg text { fill: var(--soft); font-size: 10.5px; }
+svg text { fill: var(--soft); font-size: 12px; }
 svg .axis { stroke: var(--soft); stroke-width: 1; }
 svg .grid { stroke: var(--line); stroke-width: 1; }
 svg .expected { stroke: var(--soft); stroke-width: 1.2; stroke-dasharray: 5 3; }
@@ -81,13 +81,13 @@ svg circle.outside { fill: var(--fail); stroke: var(--fail); }
 svg .allowed { fill: var(--pass); opacity: .25; }
 nav { font-size: .9rem; margin-bottom: 1rem; }
 figure { margin: 0; }
-figcaption { font-size: .8rem; }
+figcaption { font-size: .9rem; }
 img, video { max-width: 100%; height: auto; background: #ffffff; }
 .pictures { margin: 1rem 0; }
 .several { display: grid; gap: 1rem;
   grid-template-columns: repeat(auto-fit, minmax(min(30rem, 100%), 1fr)); }
 .gallery td { vertical-align: middle; }
-.thumbnail { width: 9rem; max-width: none; max-height: 7rem; object-fit: contain; display: block; }
+.thumbnail { width: 15rem; max-width: none; max-height: 12rem; object-fit: contain; display: block; }
 main > ul { max-width: 48rem; }
 .columns { columns: 24rem; column-gap: 2rem; }
 .columns section { break-inside: avoid; padding-bottom: 1.2rem; }
@@ -109,7 +109,7 @@ summary { cursor: pointer; }
   .ledger tr { display: block; padding: .5rem 0; }
   .ledger td { display: grid; grid-template-columns: 4.5rem 1fr; padding: .1rem 0; }
   .ledger td::before { content: attr(data-label); color: var(--soft); font-size: .85rem; }
-  .thumbnail { width: 5rem; }
+  .thumbnail { width: 8rem; }
 }
 @media print {
   :root {

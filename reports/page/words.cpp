@@ -23,7 +23,9 @@ std::string labelled(const std::string& quantity, const std::string& unit) {
 }
 
 std::string percent_off(double value, double truth) {
-    const double percent = 100.0 * (value / truth - 1.0);
+    const double factor = value / truth;
+    if (factor > 0.0 && (factor >= 10.0 || factor <= 0.1)) return number(factor, 2) + " times";
+    const double percent = 100.0 * (factor - 1.0);
     return std::abs(percent) < 10.0 ? fmt::format("{:+.2g} %", percent)
                                     : fmt::format("{:+.0f} %", percent);
 }

@@ -16,7 +16,8 @@ std::string with_unit(const std::string& number, const std::string& unit);
 /// "mean burn rate [cm/s]", likewise.
 std::string labelled(const std::string& quantity, const std::string& unit);
 
-/// By how much a value is off, of the true one: "-0.95 %", "+240 %".
+/// By how much a value is off, of the true one: "-0.95 %", "+240 %"; from ten times or a tenth on,
+/// where a per cent says nothing, its factor: "15 times", "6.6e-8 times".
 std::string percent_off(double value, double truth);
 
 /// "3.2 s", "1 min 40 s"

@@ -19,6 +19,22 @@ std::string time_of_day(std::chrono::system_clock::time_point time) {
                        fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
 }
 
+nlohmann::ordered_json amount(double value, const char* unit) {
+    return {{"value", value}, {"unit", unit}};
+}
+
+nlohmann::ordered_json json_of(const RunResults& results, double time) {
+    nlohmann::ordered_json json = {
+        {"regression_rate", amount(results.regression_rate, "m/s")},
+        {"mean_burn_rate", amount(results.mean_burn_rate, "m/s")},
+        {"largest_temperature", amount(results.largest_temperature, "K")}};
+    if (results.strain_about_peak)
+        json["strain_within_5_um_of_max"] = amount(*results.strain_about_peak, "1");
+    if (results.steady) json["steady"] = *results.steady;
+    if (results.steady.value_or(false)) json["steady_at"] = amount(time, "s");
+    return json;
+}
+
 }  // namespace
 
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest) {
@@ -54,6 +70,7 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
                          {"rejected", manifest.steps->rejected},
                          {"failed_and_tried_again", manifest.steps->failed}};
     if (manifest.restarted_from) json["restarted_from"] = *manifest.restarted_from;
+    if (manifest.results) json["results"] = json_of(*manifest.results, manifest.time);
     // A file name need not be UTF-8; a manifest with a replaced character is better than none.
     write_file(path,
                json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');

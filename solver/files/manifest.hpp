@@ -13,6 +13,15 @@
 
 namespace crawford {
 
+/// What a run came to in its last state.
+struct RunResults {
+    double regression_rate;                                  ///< V [m/s]
+    double mean_burn_rate;                                   ///< [m/s]
+    double largest_temperature;                              ///< [K]
+    std::optional<double> strain_about_peak = std::nullopt;  ///< mean within 5 um
+    std::optional<bool> steady = std::nullopt;               ///< where the scene asks for it
+};
+
 struct Manifest {
     std::string outcome;               ///< "running", "done", "interrupted" or "failed: ..."
     std::vector<std::string> command;  ///< the command line
@@ -27,6 +36,7 @@ struct Manifest {
     Guards met;         ///< the worst of the run so far
     std::chrono::system_clock::time_point started;
     std::chrono::system_clock::time_point ended;
+    std::optional<RunResults> results;  ///< of a run that is done
 };
 
 /// Writes it, with the build, the libraries, the machine, the wall time and the peak memory so far.

@@ -51,8 +51,9 @@ Values parse(const std::string& scene) {
     }
     std::erase_if(values, [](const auto& item) {
         const std::string& key = item.first;
-        return key == "title" || key == "time.end" || key == "time.until_steady" ||
-               key == "morphology.source" || key.starts_with("output.");
+        return key == "title" || key == "time.end" || key == "time.step" ||
+               key == "time.accuracy" || key == "time.until_steady" || key == "morphology.source" ||
+               key.starts_with("output.");
     });
     return values;
 }

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <optional>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
@@ -16,11 +20,18 @@
 #include "solver/run/loop.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/run/steadiness.hpp"
+#include "solver/scene/read_pack.hpp"
 #include "solver/scene/write_scene.hpp"
 
 namespace crawford {
 
 namespace {
+
+std::vector<std::uint64_t> seeds_of(const Scene& scene) {
+    const auto* discs = std::get_if<Discs>(&scene.morphology.shape);
+    const auto seed = discs == nullptr ? std::nullopt : seed_of(discs->source);
+    return seed ? std::vector{*seed} : std::vector<std::uint64_t>();
+}
 
 class Run {
 public:
@@ -37,7 +48,7 @@ public:
         watch_ = Watch(simulation_);
         prepare_directory(options.directory);
         manifest_.command = options.command;
-        manifest_.seeds = options.seeds;
+        manifest_.seeds = seeds_of(scene);
         manifest_.first_step = simulation_.state().step;
         manifest_.started = std::chrono::system_clock::now();
     }
@@ -56,6 +67,7 @@ public:
             throw;
         }
         const auto checkpoint = recorder.keep(simulation_, memory());
+        if (!interrupted_) manifest_.results = results();
         write(interrupted_ ? "interrupted" : "done");
         return outcome(checkpoint);
     }
@@ -147,6 +159,17 @@ private:
         if (const auto choice = steps_->choice()) manifest_.steps = choice->count;
         manifest_.ended = std::chrono::system_clock::now();
         write_manifest(options_.directory / "manifest.json", manifest_);
+    }
+
+    RunResults results() const {
+        const HistoryRow row = history_row(simulation_, simulation_.summary());
+        const Scene& scene = simulation_.scene();
+        RunResults results{.regression_rate = row.regression_rate,
+                           .mean_burn_rate = row.mean_burn_rate,
+                           .largest_temperature = row.largest_temperature};
+        if (scene.physics.reference_map) results.strain_about_peak = row.strain_about_peak;
+        if (scene.time.until_steady) results.steady = steadiness_.reached();
+        return results;
     }
 
     BurnOutcome outcome(const std::filesystem::path& checkpoint) const {

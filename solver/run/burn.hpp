@@ -1,7 +1,6 @@
 /// One run from a scene to files: what `crawford burn` does.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -26,7 +25,6 @@ struct BurnOptions {
     std::filesystem::path directory;                      ///< where they go; created if missing
     std::optional<std::filesystem::path> restart = {};    ///< a checkpoint to go on from
     std::vector<std::string> command = {};                ///< the command line, for the manifest
-    std::vector<std::uint64_t> seeds = {};                ///< of what was random in the scene
     std::function<void(const BurnProgress&)> watch = {};  ///< told after each step
     /// Told each remark once, as soon as it is known: before the first step or during the run.
     std::function<void(const Guard&)> remark = {};

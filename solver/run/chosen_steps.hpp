@@ -49,8 +49,8 @@ private:
     std::optional<double> snapshots_every_;
     StepError error_;
     double lowest_row_;  ///< [m]
-    double next_;   ///< [s]
-    double limit_;  ///< below which steps did not fail of late [s]
+    double next_;        ///< [s]
+    double limit_;       ///< below which steps did not fail of late [s]
     StepCount count_;
 };
 

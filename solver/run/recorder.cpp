@@ -12,8 +12,11 @@ namespace crawford {
 
 namespace {
 
-History open_history(const std::filesystem::path& path, const State& state) {
-    return state.step == 0 ? History::start(path) : History::resume(path, state.time);
+/// The row of a last state that was not due is dropped: the unbroken run has none.
+History open_history(const std::filesystem::path& path, const State& state, int every) {
+    if (state.step == 0) return History::start(path);
+    const bool due = state.step % every == 0;
+    return History::resume(path, due ? state.time : state.time - 0.5 * state.length);
 }
 
 double largest_slope(const Grid& grid, const SurfaceField& surface) {
@@ -23,7 +26,9 @@ double largest_slope(const Grid& grid, const SurfaceField& surface) {
     return largest;
 }
 
-HistoryRow row(const Simulation& simulation, const Summary& summary) {
+}  // namespace
+
+HistoryRow history_row(const Simulation& simulation, const Summary& summary) {
     const State& state = simulation.state();
     HistoryRow row{.time = state.time,
                    .mean_burn_rate = summary.mean_burn_rate,
@@ -47,8 +52,6 @@ HistoryRow row(const Simulation& simulation, const Summary& summary) {
     return row;
 }
 
-}  // namespace
-
 bool is_due(double before, double after, double interval) {
     constexpr double grace = 1e-6;  // of an interval: times are sums of steps
     return std::floor(after / interval + grace) > std::floor(before / interval + grace);
@@ -60,7 +63,8 @@ Recorder::Recorder(std::filesystem::path directory, std::string name, Provenance
       name_(std::move(name)),
       provenance_(std::move(provenance)),
       output_(simulation.scene().output),
-      history_(open_history(directory_ / (name_ + "_history.csv"), simulation.state())),
+      history_(open_history(directory_ / (name_ + "_history.csv"), simulation.state(),
+                            output_.history_every)),
       snapshots_(directory_, name_, provenance_) {
     if (simulation.state().step > 0)
         snapshots_.resume(simulation.state().time);
@@ -71,7 +75,8 @@ Recorder::Recorder(std::filesystem::path directory, std::string name, Provenance
 void Recorder::record(Simulation& simulation, const Summary& summary, double before,
                       const RunMemory& memory) {
     const State& state = simulation.state();
-    if (state.step % output_.history_every == 0) history_.append(row(simulation, summary));
+    owes_a_row_ = state.step % output_.history_every != 0;
+    if (!owes_a_row_) history_.append(history_row(simulation, summary));
     if (output_.snapshots_every && is_due(before, state.time, *output_.snapshots_every))
         take_snapshot(simulation);
     if (output_.checkpoint_every && is_due(before, state.time, *output_.checkpoint_every)) {
@@ -81,6 +86,8 @@ void Recorder::record(Simulation& simulation, const Summary& summary, double bef
 }
 
 std::filesystem::path Recorder::keep(const Simulation& simulation, const RunMemory& memory) {
+    if (std::exchange(owes_a_row_, false))
+        history_.append(history_row(simulation, simulation.summary()));
     if (simulation.state().step != last_snapshot_) take_snapshot(simulation);
     return take_checkpoint(simulation, memory);
 }

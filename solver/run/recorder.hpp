@@ -17,6 +17,9 @@ namespace crawford {
 /// run writes when the unbroken one does.
 bool is_due(double before, double after, double interval);
 
+/// What the history says of the present state.
+HistoryRow history_row(const Simulation& simulation, const Summary& summary);
+
 class Recorder {
 public:
     /// For a run that begins with the state of `simulation`: at step 0 the files are new, later
@@ -30,7 +33,8 @@ public:
     void record(Simulation& simulation, const Summary& summary, double before,
                 const RunMemory& memory);
 
-    /// Writes snapshot and checkpoint of the present state, unless they are written already.
+    /// Writes snapshot and checkpoint of the present state and its row of the history, unless they are
+    /// written already.
     /// \returns the checkpoint's file.
     std::filesystem::path keep(const Simulation& simulation, const RunMemory& memory);
 
@@ -45,6 +49,7 @@ private:
     History history_;
     SnapshotSeries snapshots_;
     long last_snapshot_ = -1;  ///< step
+    bool owes_a_row_ = false;  ///< the last step's was not due
 };
 
 }  // namespace crawford

@@ -10,20 +10,30 @@ namespace crawford {
 
 namespace {
 
-/// Step n ends at n dt, so that times do not pile up rounding.
+// Of a step: times are sums of steps.
+constexpr double grace = 1e-6;
+
+/// Step n ends at n dt, so that times do not pile up rounding. After a restart with another dt it ends
+/// dt after the last: what the next time is depends on the state alone.
 class EqualSteps : public Steps {
 public:
-    explicit EqualSteps(const Time& time) : length_(time.step), last_(crawford::last_step(time)) {}
+    explicit EqualSteps(const Time& time) : length_(time.step), end_(time.end) {}
 
     void advance(Simulation& simulation) override {
-        take_step(simulation, length_ * double(simulation.state().step + 1), length_);
+        const State& now = simulation.state();
+        const bool counted = std::abs(now.time / length_ - double(now.step)) < grace;
+        take_step(simulation, counted ? length_ * double(now.step + 1) : now.time + length_,
+                  length_);
     }
-    bool at_the_end(const State& state) const override { return state.step >= last_; }
-    long last_step(const State&) const override { return last_; }
+    bool at_the_end(const State& state) const override { return steps_left(state) <= 0; }
+    long last_step(const State& state) const override { return state.step + steps_left(state); }
 
 private:
-    double length_;
-    long last_;
+    long steps_left(const State& state) const {
+        return std::max(std::lround(std::ceil((end_ - state.time) / length_ - grace)), 0L);
+    }
+
+    double length_, end_;
 };
 
 }  // namespace

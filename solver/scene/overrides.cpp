@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "solver/scene/toml_key.hpp"
 
 namespace crawford {
 
@@ -37,18 +38,18 @@ void apply_override(toml::table& scene, std::string_view assignment) {
             assignment));
     }
     toml::table* table = &scene;
-    for (auto dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.')) {
-        toml::node& next = table->insert(path.substr(0, dot), toml::table{}).first->second;
+    std::string key = take_key(path);
+    for (; !path.empty(); key = take_key(path)) {
+        toml::node& next = table->insert(key, toml::table{}).first->second;
         if (!next.is_table()) {
             throw InputError(fmt::format("--set \"{}\" runs through {}, which is no table",
-                                         assignment, path.substr(0, dot)));
+                                         assignment, toml_key(key)));
         }
         table = next.as_table();
-        path.remove_prefix(dot + 1);
     }
     const std::string_view text = trimmed(assignment.substr(equals + 1));
     if (text.empty()) {
-        if (table->erase(path) == 0) {
+        if (table->erase(key) == 0) {
             throw InputError(fmt::format(
                 "--set \"{}\" removes a key that the scene does not give; check its name",
                 assignment));
@@ -56,7 +57,7 @@ void apply_override(toml::table& scene, std::string_view assignment) {
         return;
     }
     const toml::table value = parse_value(text);
-    table->insert_or_assign(path, *value.get("value"));  // a copy, which has no line
+    table->insert_or_assign(key, *value.get("value"));  // a copy, which has no line
 }
 
 }  // namespace crawford

@@ -7,6 +7,7 @@
 
 #include "base/nearest_name.hpp"
 #include "solver/scene/scene_keys.hpp"
+#include "solver/scene/toml_key.hpp"
 
 namespace crawford {
 
@@ -56,7 +57,7 @@ std::optional<Material> find_material(TomlTable& table, std::string_view key,
     }
     table.refuse(key, fmt::format("is no material of this scene{}, or give all its properties in "
                                   "[materials.{}]",
-                                  suggestion(name, names_of(materials)), name));
+                                  suggestion(name, names_of(materials)), toml_key(name)));
 }
 
 }  // namespace crawford

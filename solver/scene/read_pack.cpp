@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstdint>
 #include <limits>
 
@@ -12,6 +13,8 @@
 namespace crawford {
 
 namespace {
+
+constexpr std::string_view pack_word = "pack: ", seed_word = ", seed ";
 
 constexpr IntegerLimits numbers{1, 2000};  // of discs: 2000 take a minute
 constexpr Limits share_limits{"", 1e-6, 1e6};
@@ -74,8 +77,19 @@ std::string description(const PackRecipe& recipe) {
     std::string sizes;
     for (const DiscSize& size : recipe.discs)
         sizes += fmt::format("{} of {:.6g} um, ", size.count, size.radius / micrometre);
-    return fmt::format("pack: {}area fraction {:.6g}, gaps of at least {:.6g} um, seed {}", sizes,
-                       recipe.area_fraction, recipe.smallest_gap / micrometre, recipe.seed);
+    return fmt::format("{}{}area fraction {:.6g}, gaps of at least {:.6g} um{}{}", pack_word, sizes,
+                       recipe.area_fraction, recipe.smallest_gap / micrometre, seed_word,
+                       recipe.seed);
+}
+
+std::optional<std::uint64_t> seed_of(std::string_view description) {
+    const auto word = description.rfind(seed_word);
+    if (!description.starts_with(pack_word) || word == std::string_view::npos) return {};
+    const std::string_view digits = description.substr(word + seed_word.size());
+    std::uint64_t seed = 0;
+    const auto [end, problem] = std::from_chars(digits.begin(), digits.end(), seed);
+    if (problem != std::errc() || end != digits.end()) return {};
+    return seed;
 }
 
 }  // namespace crawford

@@ -59,8 +59,11 @@ void read_physics(TomlTable& scene, Physics& physics) {
     table.finish();
 }
 
-void read_numerics(TomlTable& scene, Numerics& numerics) {
+void read_numerics(TomlTable& scene, const Physics& physics, Numerics& numerics) {
     TomlTable table = scene.table("numerics");
+    Readings readings = Readings::paper;
+    keys::visit(table, readings);
+    apply(readings, physics, numerics);
     keys::visit(table, numerics);
     if (!table.has("stress_work")) numerics.stress_work = numerics.thermal_stress;
     table.finish();
@@ -135,7 +138,7 @@ Scene scene_of(const toml::table& text, const std::string& where,
     read_surface(root, scene, materials);
     read_part(root, "bottom", scene.bottom);
     read_part(root, "time", scene.time);
-    read_numerics(root, scene.numerics);
+    read_numerics(root, scene.physics, scene.numerics);
     read_part(root, "output", scene.output);
     try {
         check(scene);

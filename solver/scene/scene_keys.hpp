@@ -10,6 +10,7 @@
 #include <cstddef>
 
 #include "solver/scene/limits.hpp"
+#include "solver/scene/readings.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace crawford::keys {
@@ -113,6 +114,14 @@ void visit_thermal_stress(Table& table, const char* key, ThermalStress& value) {
         Word<ThermalStress>{"3 alpha K", ThermalStress::three_alpha_bulk},
         Word<ThermalStress>{"alpha K", ThermalStress::alpha_bulk}};
     table.choice(key, value, readings);
+}
+
+/// Before the keys that it sets, which win where they are given.
+template <class Table>
+void visit(Table& table, Readings& readings) {
+    static constexpr std::array words{Word<Readings>{"paper", Readings::paper},
+                                      Word<Readings>{"consistent", Readings::consistent}};
+    table.choice("readings", readings, words);
 }
 
 template <class Table>

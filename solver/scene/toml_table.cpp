@@ -10,6 +10,7 @@
 
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "solver/scene/toml_key.hpp"
 #include "solver/scene/units.hpp"
 
 namespace crawford {
@@ -58,7 +59,7 @@ std::vector<std::string> TomlTable::keys() const {
 
 std::string TomlTable::name(std::string_view key) const {
     return one_line(fmt::format("{}: {}{}{}", location(table_->get(key), where_), path_,
-                                path_.empty() ? "" : ".", key));
+                                path_.empty() ? "" : ".", toml_key(key)));
 }
 
 void TomlTable::refuse(std::string_view key, std::string_view what) const {
@@ -179,7 +180,8 @@ std::optional<std::size_t> TomlTable::index_of(std::string_view key,
 TomlTable TomlTable::table(std::string_view key) {
     const toml::node* node = find(key, Need::optional);
     if (node != nullptr && !node->is_table()) refuse_type(key, "a table");
-    const std::string path = path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+    const std::string path =
+        path_.empty() ? toml_key(key) : fmt::format("{}.{}", path_, toml_key(key));
     static const toml::table empty;
     return {node == nullptr ? &empty : node->as_table(), path, location(node, where_)};
 }
@@ -207,10 +209,13 @@ void TomlTable::finish(std::string_view remark) const {
         }
     }
     if (missing_.empty()) return;
-    const std::string comma = path_.empty() ? ", " : fmt::format(", {}.", path_);
-    throw InputError(fmt::format("{} {} missing{}",
-                                 name(fmt::format("{}", fmt::join(missing_, comma))),
-                                 missing_.size() == 1 ? "is" : "are", remark));
+    std::vector<std::string> missing;
+    for (const std::string& key : missing_)
+        missing.push_back(path_.empty() ? toml_key(key)
+                                        : fmt::format("{}.{}", path_, toml_key(key)));
+    throw InputError(one_line(fmt::format("{}: {} {} missing{}", location(nullptr, where_),
+                                          fmt::join(missing, ", "),
+                                          missing.size() == 1 ? "is" : "are", remark)));
 }
 
 }  // namespace crawford

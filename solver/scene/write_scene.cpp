@@ -148,6 +148,7 @@ std::string to_toml(const Scene& scene) {
     out.section("time");
     keys::visit(out, s.time);
     out.section("numerics");
+    if (auto readings = readings_of(s.physics, s.numerics)) keys::visit(out, *readings);
     keys::visit(out, s.numerics);
     out.section("output");
     keys::visit(out, s.output);

@@ -67,6 +67,7 @@ TEST_F(Program, ExplainsItselfToANewcomer) {
         EXPECT_EQ(more.status, 0);
         EXPECT_THAT(more.output, HasSubstr("Examples:")) << command;
         EXPECT_THAT(more.output, HasSubstr("--out")) << command;
+        EXPECT_THAT(more.output, HasSubstr("Exit codes: 0 done")) << command;
     }
     EXPECT_THAT(crawford({"--version"}).output, testing::StartsWith("crawford 0."));
 }
@@ -111,6 +112,8 @@ TEST_F(Program, NamesTheRightCommandOptionOrCase) {
     expect_refused({"run", "slab"}, "slab is no case; use crawford verify slab");
     expect_refused({"verify", "slb"}, "no study is called slb; did you mean slab?");
     expect_refused({"verify", "fig03"}, "fig03 is no study; use crawford run fig03");
+    expect_refused({"figures", "--help"}, "unknown command figures");
+    expect_refused({"run", "--fidelty", "draft", "--help"}, "did you mean --fidelity?");
     expect_refused({"list", "all"}, "unexpected argument all");
 }
 

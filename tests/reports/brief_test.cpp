@@ -42,10 +42,11 @@ TEST(Brief, HasALineForEachStudyAndGatesThatFellShortInFull) {
     std::vector<std::string> all;
     for (std::string line; std::getline(lines, line);) all.push_back(line);
     ASSERT_GE(all.size(), 4U);
-    EXPECT_THAT(all[0], testing::MatchesRegex("heat +2/2 +pass +12.3 s"));
-    EXPECT_THAT(all[1], testing::MatchesRegex("slab, AP, beta = 3 alpha K +1/2 +1 FAIL +12.3 s"));
-    EXPECT_THAT(all[2], testing::MatchesRegex("quick +0/1 +not gated +12.3 s"));
-    EXPECT_THAT(all[3], testing::MatchesRegex("idle +0/0 +not run +12.3 s"));
+    EXPECT_THAT(all[0], testing::MatchesRegex("heat +2/2 +pass +12.3 CPU s"));
+    EXPECT_THAT(all[1],
+                testing::MatchesRegex("slab, AP, beta = 3 alpha K +1/2 +1 FAIL +12.3 CPU s"));
+    EXPECT_THAT(all[2], testing::MatchesRegex("quick +0/1 +not gated +12.3 CPU s"));
+    EXPECT_THAT(all[3], testing::MatchesRegex("idle +0/0 +not run +12.3 CPU s"));
     EXPECT_THAT(text, HasSubstr(table({some().gates[2]})));
     EXPECT_THAT(text, Not(HasSubstr("T [K]")));
 }

@@ -185,6 +185,8 @@ page::FigureBook book() {
                    .manifest = R"({"revision":"abc"})"},
                   {.name = "model", .figure = "-", .shows = "model form"}},
         .not_drawn = {"fig08"},
+        .options = "--fidelity draft --out out/draft",
+        .movies = {"fig08.gif"},
         .studies = {{.name = "slab",
                      .shows = "against the exact slab",
                      .physics = {"heat"},
@@ -226,8 +228,9 @@ TEST(FigureIndex, ListsFiguresByNumberAndFiguresWithStudiesByPhysics) {
     const auto html = body(page::figure_index(book()));
     for (const char* part :
          {"<img src=\"fig07a.png\"", "<td>maps of T &amp; p</td><td>draft</td>", "8.0 s",
-          "<a href=\"model.html\">model</a>", "Not drawn: <code>build/crawford run fig08</code>",
-          "1 of 2 claims", "<h3>heat</h3>",
+          "<a href=\"model.html\">model</a>",
+          "Not drawn: <code>build/crawford run fig08 --fidelity draft --out out/draft</code>",
+          "Drawn as a movie: <a href=\"fig08.gif\">fig08.gif</a>", "1 of 2 claims", "<h3>heat</h3>",
           "studies <span title=\"against the exact slab\"><a "
           "href=\"../verify/report.html#entry-slab\">",
           "href=\"../verify/report.html\">verification"})

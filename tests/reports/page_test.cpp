@@ -30,6 +30,9 @@ TEST(Words, AreShort) {
     EXPECT_EQ(page::number(std::nan("")), "\u2013");
     EXPECT_EQ(page::percent_off(0.0419, 0.042), "-0.24 %");
     EXPECT_EQ(page::percent_off(3.42, 1.0), "+242 %");
+    EXPECT_EQ(page::percent_off(6.6e-12, 1e-4), "6.6e-8 times") << "not -100 %";
+    EXPECT_EQ(page::percent_off(-150.0, 10.0), "-1600 %");
+    EXPECT_EQ(page::percent_off(150.0, 10.0), "15 times");
     EXPECT_EQ(page::with_unit("3", "K") + page::with_unit("4", "-"), "3 K4");
     EXPECT_EQ(page::labelled("T", "K") + page::labelled("n", ""), "T [K]n");
     EXPECT_EQ(page::duration(3.21), "3.2 s");

@@ -89,6 +89,12 @@ TEST_F(OutputRun, ManifestSaysWhatItTakesToRepeatIt) {
     manifest.seeds = {7, std::numeric_limits<std::uint64_t>::max()};
     manifest.restarted_from = "c.h5";
     manifest.last_step = 5;
+    manifest.time = 0.25;
+    manifest.results = RunResults{.regression_rate = 0.005,
+                                  .mean_burn_rate = 0.0045,
+                                  .largest_temperature = 930.0,
+                                  .strain_about_peak = 0.4,
+                                  .steady = true};
     manifest.started = std::chrono::system_clock::from_time_t(1'000'000'000);
     manifest.ended = manifest.started + std::chrono::milliseconds(2500);
     write_manifest(directory / "manifest.json", manifest);
@@ -110,6 +116,14 @@ TEST_F(OutputRun, ManifestSaysWhatItTakesToRepeatIt) {
     EXPECT_GE(json.at("machine").at("cores"), 1);
     EXPECT_GT(json.at("machine").at("memory_bytes"), 1'000'000);
     EXPECT_NE(json.at("machine").at("system"), "unknown");
+    const auto& results = json.at("results");
+    EXPECT_EQ(results.at("regression_rate").at("value"), 0.005);
+    EXPECT_EQ(results.at("regression_rate").at("unit"), "m/s");
+    EXPECT_EQ(results.at("mean_burn_rate").at("value"), 0.0045);
+    EXPECT_EQ(results.at("largest_temperature").at("unit"), "K");
+    EXPECT_EQ(results.at("strain_within_5_um_of_max").at("value"), 0.4);
+    EXPECT_EQ(results.at("steady"), true);
+    EXPECT_EQ(results.at("steady_at").at("value"), 0.25);
 }
 
 Scene burning(double tolerance) {
