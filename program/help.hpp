@@ -85,6 +85,7 @@ Snapshots are VTKHDF: open DIR/<scene>.hdf.series in ParaView.
 
 Examples:
   crawford burn cases/scenes/sandwich.toml
+  crawford burn cases/scenes/sandwich.toml --check       can it be believed? runs nothing
   crawford burn cases/scenes/sandwich.toml --set surface.pressure="4 MPa" --set domain.nx=128
   crawford burn cases/scenes/sandwich.toml --out out/s --set 'time.end="0.3 s"' \
       --restart out/s/sandwich_checkpoint_004000.h5)";

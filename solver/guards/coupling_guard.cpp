@@ -25,4 +25,19 @@ Guard coupling_guard(const Scene& scene, const Material& material, double temper
     return guard;
 }
 
+Guard heat_capacity_guard(const Scene& scene, const Material& material, double temperature) {
+    const Numerics& n = scene.numerics;
+    Guard guard{.name = "heat_capacity",
+                .value = heat_capacity(coupled(material, n), n.heat_capacity, temperature),
+                .limit = 0.0,
+                .is_least = true};
+    if (guard.value > 0.0 || n.coupling == Coupling::adiabatic) return guard;
+    guard.beyond = Beyond::refusal;
+    guard.text = fmt::format(
+        "J/(m3 K), rho c_v of {} at {:.4g} K for numerics.coupling = \"lagged\"; take "
+        "numerics.coupling = \"adiabatic\"",
+        material.name, temperature);
+    return guard;
+}
+
 }  // namespace crawford

@@ -9,4 +9,7 @@ namespace crawford {
 /// Of a material at a temperature [K].
 Guard coupling_guard(const Scene& scene, const Material& material, double temperature);
 
+/// rho c_v of a material at a temperature [J/(m^3 K)]: not above zero, only the split is left.
+Guard heat_capacity_guard(const Scene& scene, const Material& material, double temperature);
+
 }  // namespace crawford

@@ -79,5 +79,20 @@ TEST(Coupling, AdviceHelpsWhateverTheReadings) {
     }
 }
 
+TEST(Coupling, LaggedWithANegativeHeatCapacityIsRefusedAndSplitIsNot) {
+    Scene scene = testing::sandwich(64, 96);
+    scene.morphology.materials[1].thermal_expansion *= 3.0;
+    scene.numerics.heat_capacity = HeatCapacity::constant_volume;
+    refuse(predicted(scene));
+    scene.numerics.coupling = Coupling::lagged;
+    try {
+        refuse(predicted(scene));
+        FAIL() << "not refused";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("heat_capacity = -"));
+        EXPECT_THAT(error.what(), HasSubstr("take numerics.coupling = \"adiabatic\""));
+    }
+}
+
 }  // namespace
 }  // namespace crawford
