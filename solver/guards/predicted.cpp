@@ -57,6 +57,7 @@ void add_coupling(Guards& guards, const Scene& scene, const Material& material, 
     if (scene.numerics.heat_capacity == HeatCapacity::constant_volume)
         add_worst(guards, heat_capacity_guard(scene, material, hottest));
     add_worst(guards, coupling_guard(scene, material, hottest));
+    add_worst(guards, expansion_guard(scene, material, hottest));
 }
 
 }  // namespace

@@ -94,5 +94,17 @@ TEST(Coupling, LaggedWithANegativeHeatCapacityIsRefusedAndSplitIsNot) {
     }
 }
 
+TEST(Coupling, VeryStrongExpansionIsRemarkedWhereTwoStepsBackDoNotHoldIt) {
+    Scene scene = testing::sandwich(64, 96);
+    scene.time.scheme = Stepping::bdf2;
+    EXPECT_TRUE(remarks(predicted(scene)).empty());
+    scene.morphology.materials[1].thermal_expansion *= 2.2;
+    const Guards found = remarks(predicted(scene));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().name, "expansion");
+    scene.time.scheme = Stepping::euler;
+    EXPECT_TRUE(remarks(predicted(scene)).empty());
+}
+
 }  // namespace
 }  // namespace crawford
