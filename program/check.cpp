@@ -39,16 +39,16 @@ std::vector<std::string> could_be_left_out(const Scene& scene) {
     const Physics& p = scene.physics;
     std::vector<std::string> keys;
     if (p.mechanics)
-        keys.push_back(
+        keys.emplace_back(
             "physics.mechanics = false and physics.reference_map = false: stress and strain, nine "
             "tenths of a step; the burn rate "
             "changes by what expansion takes of the heat");
     if (p.reference_map && scene.morphology.indicator == Indicator::laboratory)
-        keys.push_back("physics.reference_map = false: the strain, a hundredth of a step");
+        keys.emplace_back("physics.reference_map = false: the strain, a hundredth of a step");
     if (scene.domain.nx > 1 && std::holds_alternative<Uniform>(scene.morphology.shape))
-        keys.push_back("domain.nx = 1: columns that are all alike");
+        keys.emplace_back("domain.nx = 1: columns that are all alike");
     if (!scene.domain.half && std::holds_alternative<Sandwich>(scene.morphology.shape))
-        keys.push_back("domain.half = true: the other half of a sandwich, which is the same");
+        keys.emplace_back("domain.half = true: the other half of a sandwich, which is the same");
     return keys;
 }
 
