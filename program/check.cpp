@@ -4,6 +4,7 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "program/commands.hpp"
 #include "solver/files/guard_json.hpp"
@@ -33,10 +34,38 @@ void print(const Guards& guards) {
     }
 }
 
-void print_json(const Guards& guards) {
+/// Keys that take something out of a run, each with what it costs.
+std::vector<std::string> could_be_left_out(const Scene& scene) {
+    const Physics& p = scene.physics;
+    std::vector<std::string> keys;
+    if (p.mechanics)
+        keys.emplace_back(
+            "physics.mechanics = false and physics.reference_map = false: stress and strain, nine "
+            "tenths of a step; the burn rate "
+            "changes by what expansion takes of the heat");
+    if (p.reference_map && scene.morphology.indicator == Indicator::laboratory)
+        keys.emplace_back("physics.reference_map = false: the strain, a hundredth of a step");
+    if (scene.domain.nx > 1 && std::holds_alternative<Uniform>(scene.morphology.shape))
+        keys.emplace_back("domain.nx = 1: columns that are all alike");
+    if (!scene.domain.half && std::holds_alternative<Sandwich>(scene.morphology.shape))
+        keys.emplace_back("domain.half = true: the other half of a sandwich, which is the same");
+    return keys;
+}
+
+nlohmann::ordered_json refused(const Guards& guards) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Guard& guard : guards)
+        if (guard.beyond == Beyond::refusal)
+            list.push_back({{"name", guard.name}, {"text", guard.text}});
+    return list;
+}
+
+void print_json(const Guards& guards, const Scene& scene) {
     const nlohmann::ordered_json json = {
         {"predicted", nlohmann::ordered_json::parse(to_json(guards))},
-        {"remarks", nlohmann::ordered_json::parse(remarks_to_json(guards, {}))}};
+        {"remarks", nlohmann::ordered_json::parse(remarks_to_json(guards, {}))},
+        {"refused", refused(guards)},
+        {"could_be_left_out", could_be_left_out(scene)}};
     std::cout << json.dump(2) << '\n';
 }
 
@@ -44,7 +73,13 @@ void print_json(const Guards& guards) {
 
 int check(const Scene& scene, bool json) {
     const Guards guards = predicted(scene);
-    json ? print_json(guards) : print(guards);
+    if (json) {
+        print_json(guards, scene);
+    } else {
+        print(guards);
+        for (const std::string& key : could_be_left_out(scene))
+            std::cout << "could be left out: " << key << '\n';
+    }
     refuse(guards);
     return exit_code::done;
 }

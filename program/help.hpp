@@ -87,6 +87,7 @@ Snapshots are VTKHDF: open DIR/<scene>.hdf.series in ParaView.
 
 Examples:
   crawford burn cases/scenes/sandwich.toml
+  crawford burn cases/scenes/sandwich.toml --check       can it be believed? runs nothing
   crawford burn cases/scenes/sandwich.toml --set surface.heat_flux="9 MW/m2"
   crawford burn cases/scenes/sandwich.toml --out out/sandwich --set time.until_steady= \
       --set time.end="0.12 s" --restart out/sandwich/sandwich_checkpoint_004000.h5)";

@@ -49,9 +49,15 @@ bool add_burning(Guards& guards, const Scene& scene, const Grid& grid, const Par
     }
     add_worst(guards, cell_peclet(grid, part.material, rate));
     add_worst(guards, undershoot(deepest_undershoot(scene, grid, part.material, part.answer.slab)));
-    add_worst(guards, layers_in_window(scene, part.material, rate));
     add_worst(guards, front_coupling(scene, grid, part.material, part.answer.slab));
     return true;
+}
+
+void add_coupling(Guards& guards, const Scene& scene, const Material& material, double hottest) {
+    if (scene.numerics.heat_capacity == HeatCapacity::constant_volume)
+        add_worst(guards, heat_capacity_guard(scene, material, hottest));
+    add_worst(guards, coupling_guard(scene, material, hottest));
+    add_worst(guards, expansion_guard(scene, material, hottest));
 }
 
 }  // namespace
@@ -66,7 +72,7 @@ Guards predicted(const Scene& scene) {
         const double hottest =
             part.burns() ? part.answer.slab.surface_temperature : scene.bottom.temperature;
         if (scene.physics.heat && scene.physics.mechanics)
-            add_worst(guards, coupling_guard(scene, part.material, hottest));
+            add_coupling(guards, scene, part.material, hottest);
         if (scene.physics.heat) {
             add_worst(guards, fourier(scene, grid, part.material));
             add_worst(guards, relaxation(scene, grid, part.material));
@@ -76,6 +82,10 @@ Guards predicted(const Scene& scene) {
             fastest = std::max(fastest, part.burn_rate());
     }
     if (fastest > 0.0) {
+        // The slower part is carried along: the faster side leads.
+        if (scene.physics.heat)
+            for (const Material& material : scene.morphology.materials)
+                add_worst(guards, layers_in_window(scene, material, fastest));
         guards.push_back(predicted_crossing_y(scene, grid, fastest));
         if (grid.cell_columns() > 1)
             guards.push_back(front_crossing(fastest * scene.time.step / narrowest_column(grid)));

@@ -30,7 +30,7 @@ std::string coupling_condition(Coupling coupling, Stepping scheme) {
 std::string coupling_advice(const CoupledSolid& solid, Coupling coupling, Stepping scheme,
                             double temperature) {
     // With one beta the split is stable for any.
-    const std::string one_beta = "take the same numerics.stress_work as numerics.thermal_stress";
+    std::string one_beta = "take the same numerics.stress_work as numerics.thermal_stress";
     if (coupling == Coupling::adiabatic) return one_beta;
     const std::string split = "take numerics.coupling = \"adiabatic\"";
     const bool helps =

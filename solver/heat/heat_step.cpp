@@ -12,19 +12,18 @@ namespace {
 
 constexpr std::array<Local, 4> vertices{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
 
-void check(const NodeField& temperature) {
+void check(const NodeField& temperature, const char* advice) {
     for (int i = 0; i < temperature.columns(); ++i)
         for (int j = 0; j < temperature.rows(); ++j)
             if (!(temperature(i, j) > 0.0 && std::isfinite(temperature(i, j))))
-                throw NumericalFailure(
-                    {.kind = FailureFields::Kind::beyond_limit,
-                     .module = "heat",
-                     .quantity = "temperature",
-                     .value = temperature(i, j),
-                     .unit = "K",
-                     .limit = FailureLimit{.value = 0.0, .is_least = true},
-                     .place = FailurePlace{"node", i, j},
-                     .advice = "reduce time.step, or take numerics.coupling = \"adiabatic\""});
+                throw NumericalFailure({.kind = FailureFields::Kind::beyond_limit,
+                                        .module = "heat",
+                                        .quantity = "temperature",
+                                        .value = temperature(i, j),
+                                        .unit = "K",
+                                        .limit = FailureLimit{.value = 0.0, .is_least = true},
+                                        .place = FailurePlace{"node", i, j},
+                                        .advice = advice});
 }
 
 double largest_diffusivity(const MaterialMap& materials) {
@@ -92,7 +91,9 @@ int HeatStep::advance(NodeField& temperature, const NodeField& lagged, const Hea
     const Relaxation done =
         relax_columns(transport_, rhs, temperature, numerics_.heat_tolerance * hottest);
     contraction_ = done.contraction;
-    check(temperature);
+    check(temperature, deforms_ && numerics_.coupling == Coupling::lagged
+                           ? "reduce time.step, or take numerics.coupling = \"adiabatic\""
+                           : "reduce time.step");
     return done.sweeps;
 }
 

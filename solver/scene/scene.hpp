@@ -166,7 +166,7 @@ struct Numerics {
     Element element = Element::bbar;
     LinearSolver solver = LinearSolver::cholmod;
     double solver_tolerance = 1e-8;  ///< relative residual an iterative solver must reach
-    /// Largest change of a line relaxation's last sweep, relative to the largest temperature.
+    /// Error at which the line relaxation stops, relative to the largest temperature.
     double heat_tolerance = 1e-10;
     Coupling coupling = Coupling::adiabatic;
     ThermalStress thermal_stress = ThermalStress::three_alpha_bulk;

@@ -8,10 +8,8 @@
 /// on the clustered grid that real scenes burn on.
 ///
 /// Stress enters the window with zero normal gradient: it keeps what the first moments left there.
-/// To press the slab suddenly heats it adiabatically, the binder by 0.12 K, which stays in the
-/// entering sigma_11 as some 190 Pa for ever; and heat that reaches the bottom would make it drift.
-/// The slab is therefore 1200 um deep, stress is compared relative to what enters, and what enters
-/// is bounded by itself.
+/// Heat that reaches the bottom would make that drift. The slab is therefore 1200 um deep, stress is
+/// compared relative to what enters, and what enters is bounded by itself.
 ///
 /// Kuznetsov and Stewart's small-strain solution is another model and not another truth: the
 /// distance to it tends to the distance of the two models, and no grid makes it smaller.

@@ -188,7 +188,8 @@ TEST_F(OutputCheckpoint, AllowsAnotherEndAndOtherOutput) {
     longer = replaced(longer, "history_every = 1", "history_every = 9\nsnapshots_every = \"1 s\"");
     longer = replaced(longer, "\"one\"", "\"two\"");
     EXPECT_EQ(difference(scene, longer), std::nullopt);
-    EXPECT_NE(difference(scene, replaced(scene, "2e-05", "1e-05")), std::nullopt) << "the step";
+    EXPECT_EQ(difference(scene, replaced(scene, "2e-05", "1e-05")), std::nullopt)
+        << "a run that failed may go on with shorter steps";
 }
 
 TEST_F(OutputCheckpoint, ThatIsNoneIsRefused) {

@@ -79,5 +79,32 @@ TEST(Coupling, AdviceHelpsWhateverTheReadings) {
     }
 }
 
+TEST(Coupling, LaggedWithANegativeHeatCapacityIsRefusedAndSplitIsNot) {
+    Scene scene = testing::sandwich(64, 96);
+    scene.morphology.materials[1].thermal_expansion *= 3.0;
+    scene.numerics.heat_capacity = HeatCapacity::constant_volume;
+    refuse(predicted(scene));
+    scene.numerics.coupling = Coupling::lagged;
+    try {
+        refuse(predicted(scene));
+        FAIL() << "not refused";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("heat_capacity = -"));
+        EXPECT_THAT(error.what(), HasSubstr("take numerics.coupling = \"adiabatic\""));
+    }
+}
+
+TEST(Coupling, VeryStrongExpansionIsRemarkedWhereTwoStepsBackDoNotHoldIt) {
+    Scene scene = testing::sandwich(64, 96);
+    scene.time.scheme = Stepping::bdf2;
+    EXPECT_TRUE(remarks(predicted(scene)).empty());
+    scene.morphology.materials[1].thermal_expansion *= 2.2;
+    const Guards found = remarks(predicted(scene));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().name, "expansion");
+    scene.time.scheme = Stepping::euler;
+    EXPECT_TRUE(remarks(predicted(scene)).empty());
+}
+
 }  // namespace
 }  // namespace crawford
