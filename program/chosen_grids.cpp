@@ -39,8 +39,9 @@ void refuse_out_of_reach(const reports::Study& study, const std::vector<int>& va
     const long largest = long(most) * finer;
     for (const int value : values)
         if (value < smallest || value > largest || value % divisor != 0)
-            throw InputError(fmt::format("{}: {} takes {} from {} to {} in multiples of {}", typed,
-                                         study.name(), study.axis(), smallest, largest, divisor));
+            throw InputError(fmt::format(
+                "{}: {} takes {} from {} to {}{}", typed, study.name(), study.axis(), smallest,
+                largest, divisor > 1 ? fmt::format(" in multiples of {}", divisor) : ""));
 }
 
 /// Axes that the studies refine, each once.

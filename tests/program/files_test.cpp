@@ -69,7 +69,7 @@ TEST_F(ProgramFiles, RefusesGridsThatAStudyCannotRunOn) {
     for (const char* grids : {"1", "31,32", "2000000000"})
         expect_refused({"verify", "heat", "--grids", grids, "--out", out()}, "in multiples of 16");
     expect_refused({"verify", "sandwich-refinement", "--axis", "columns=3", "--out", out()},
-                   "in multiples of 16");
+                   "takes columns from 8 to ");
     expect_refused({"verify", "heat", "--grids", "0x20", "--out", out()}, "no whole number");
     EXPECT_FALSE(fs::exists(out_));
     const Finished verify = crawford({"verify", one, "--grids", "016", "--out", out()});
