@@ -32,8 +32,8 @@ struct Manifest {
     long last_step = 0;
     double time = 0.0;               ///< reached [s]
     std::optional<StepCount> steps;  ///< how they came about, where they were chosen
-    Guards predicted;   ///< from the scene, before
-    Guards met;         ///< the worst of the run so far
+    Guards predicted;                ///< from the scene, before
+    Guards met;                      ///< the worst of the run so far
     std::chrono::system_clock::time_point started;
     std::chrono::system_clock::time_point ended;
     std::optional<RunResults> results;  ///< of a run that is done

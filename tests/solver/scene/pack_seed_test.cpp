@@ -17,9 +17,8 @@ std::optional<std::uint64_t> seed_of_scene(const Scene& scene) {
 }
 
 TEST(PackSeed, IsThatOfTheScene) {
-    const Scene scene =
-        read_scene(source_path("cases/scenes/random_pack.toml"),
-                   {"morphology.seed=2147483647", "morphology.area_fraction=0.4"});
+    const Scene scene = read_scene(source_path("cases/scenes/random_pack.toml"),
+                                   {"morphology.seed=2147483647", "morphology.area_fraction=0.4"});
     EXPECT_EQ(seed_of_scene(scene), 2147483647U);
     EXPECT_EQ(seed_of_scene(parse_scene(to_toml(scene))), 2147483647U) << "burnt from a manifest";
     EXPECT_EQ(seed_of_scene(read_scene(source_path("cases/scenes/pack.toml"))), std::nullopt);
