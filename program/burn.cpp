@@ -13,9 +13,9 @@
 #include "program/check.hpp"
 #include "program/commands.hpp"
 #include "program/interrupt.hpp"
+#include "program/typed_scene.hpp"
 #include "solver/guards/predicted.hpp"
 #include "solver/run/timing_table.hpp"
-#include "solver/scene/read_scene.hpp"
 #include "solver/scene/write_scene.hpp"
 
 namespace crawford {
@@ -24,16 +24,16 @@ namespace {
 
 void tell(const BurnOutcome& outcome, const BurnOptions& files) {
     std::cout << fmt::format(
-        "{} at {:.6g} s, step {}: mean burn rate {:.5g} cm/s, largest temperature {:.5g} K, "
-        "largest strain {:.4g}\n"
+        "{} at {:.6g} s, step {}: mean burn rate {:.5g} cm/s, regression rate {:.5g} cm/s,\n"
+        "largest temperature {:.5g} K, largest strain {:.4g}\n"
         "{} steps and their output took {:.1f} s; snapshots, history, checkpoints and "
         "manifest.json are in {}\n",
         outcome.interrupted ? "interrupted"
         : outcome.steady    ? "steady"
                             : "ended",
         outcome.time, outcome.step, outcome.summary.mean_burn_rate * 100.0,
-        outcome.summary.largest_temperature, outcome.summary.largest_strain, outcome.step,
-        outcome.seconds, files.directory.string());
+        outcome.summary.regression_rate * 100.0, outcome.summary.largest_temperature,
+        outcome.summary.largest_strain, outcome.step, outcome.seconds, files.directory.string());
     if (outcome.chosen)
         std::cout << fmt::format(
             "steps of {:.3g} to {:.3g} us; tried again, shorter: {} for their error, {} that "
@@ -79,9 +79,9 @@ private:
 }  // namespace
 
 int burn(const BurnSceneOptions& options, const CommandLine& command) {
-    const Scene scene = read_scene(options.scene, options.set);
+    const Scene scene = typed_scene(options.scene, options.set);
     if (options.check) return check(scene, options.json);
-    const std::string name = options.scene.stem().string();
+    const std::string name = name_of_scene(options.scene);
     refuse_other_encodings(name);
     const std::filesystem::path folder =
         options.out.empty() ? std::filesystem::path("out") / name : options.out;

@@ -78,7 +78,7 @@ std::vector<const Entry*> choose_cases(const std::vector<std::string>& names) {
 }
 
 std::vector<ChosenStudy> choose_studies(const std::vector<std::string>& names) {
-    const auto all = all_studies();
+    auto all = all_studies();
     const auto is_called = [](const ChosenStudy& study, const std::string& name) {
         return study.entry->name == name || study.study.name() == name;
     };

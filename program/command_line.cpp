@@ -151,7 +151,9 @@ struct Parser {
 
     void add_burn() {
         burn_command = app.add_subcommand("burn", help::burn);
-        burn_command->add_option("SCENE", burn.scene, "Scene file (TOML), see cases/scenes/")
+        burn_command
+            ->add_option("SCENE", burn.scene,
+                         "Scene file (TOML), see cases/scenes/; - reads standard input")
             ->required();
         add_set(burn_command, burn.set, "surface.heat_flux=\"190 cal/(s cm2)\"");
         add_out(burn_command, burn.out, "out/<name of the scene>");

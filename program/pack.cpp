@@ -7,14 +7,14 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "program/commands.hpp"
-#include "solver/scene/read_scene.hpp"
+#include "program/typed_scene.hpp"
 #include "solver/scene/write_discs.hpp"
 
 namespace crawford {
 
 int pack(const PackOptions& options) {
     constexpr double micrometre = 1e-6;  // [m]
-    const Scene scene = read_scene(options.scene, options.set);
+    const Scene scene = typed_scene(options.scene, options.set);
     const auto* discs = std::get_if<Discs>(&scene.morphology.shape);
     if (discs == nullptr)
         throw InputError(
@@ -22,9 +22,8 @@ int pack(const PackOptions& options) {
                         "\"pack\", see cases/scenes/random_pack.toml",
                         options.scene.string()));
     const std::filesystem::path file =
-        options.out.empty()
-            ? std::filesystem::path("out") / options.scene.filename().replace_extension("csv")
-            : options.out;
+        options.out.empty() ? std::filesystem::path("out") / (name_of_scene(options.scene) + ".csv")
+                            : options.out;
     if (file.has_parent_path()) prepare_directory(file.parent_path());
     write_file(file, discs_csv(*discs));
     std::cout << fmt::format(

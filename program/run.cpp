@@ -177,7 +177,7 @@ private:
             std::cout << "  " << fs::absolute(figures() / picture).string() << '\n';
     }
 
-    void tell_failure(const std::string& name, std::exception_ptr exception) {
+    void tell_failure(const std::string& name, const std::exception_ptr& exception) {
         const Failure failure = failure_of(exception);
         std::cerr << fmt::format("crawford run: {}: {}\n", name, failure.message);
         worst_ = std::max(worst_, failure.exit_code);

@@ -28,7 +28,7 @@ ValueAndSlope along_column(const ProfileShape& shape, double y) {
 
 }  // namespace
 
-CarriedProfile::CarriedProfile(const ProfileShape& shape) : shape_(shape), wave_number_(0.0) {
+CarriedProfile::CarriedProfile(const ProfileShape& shape) : shape_(shape) {
     require_finite("amplitude", shape.amplitude);
     require_not_negative("period", shape.period);
     require_finite("phase", shape.phase);

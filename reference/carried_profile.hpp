@@ -37,7 +37,7 @@ public:
 
 private:
     ProfileShape shape_;
-    double wave_number_;
+    double wave_number_ = 0.0;
 };
 
 }  // namespace crawford::reference

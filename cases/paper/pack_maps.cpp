@@ -67,7 +67,7 @@ std::vector<Vector> images(const Disc& disc, double half, double period) {
     for (const double across : {-2.0 * half, 0.0, 2.0 * half})
         for (const double down : {period, 0.0, -period})
             if (std::abs(x + across) < half + disc.radius)
-                centres.push_back({x + across, y + down});
+                centres.emplace_back(x + across, y + down);
     return centres;
 }
 
@@ -114,7 +114,7 @@ std::vector<reports::Column> disc_rims(const Scene& scene, const Snapshot& snaps
                                        double bottom) {
     constexpr int parts = 180;  // of a rim
     constexpr double lift = std::numeric_limits<double>::quiet_NaN();
-    const Discs& pack = std::get<Discs>(scene.morphology.shape);
+    const auto& pack = std::get<Discs>(scene.morphology.shape);
     const double half = 0.5 * scene.domain.width;
     std::vector<double> x, y;
     const auto add = [&](double at_x, double at_y) {

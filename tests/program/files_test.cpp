@@ -76,6 +76,50 @@ TEST_F(ProgramFiles, RefusesGridsThatAStudyCannotRunOn) {
     EXPECT_THAT(verify.output, HasSubstr("rows = 16")) << "decimal";
 }
 
+TEST_F(ProgramFiles, BurnsASceneThatComesInByAPipe) {
+    const Finished piped = run_program(
+        {"sh", "-c", "cat \"$1\" | \"$0\" burn - --set time.end=\"60 us\" --quiet --out \"$2\"",
+         program_path(), scenes + "slab.toml", out()});
+    EXPECT_EQ(piped.status, 0) << piped.output;
+    EXPECT_THAT(piped.output, HasSubstr("regression rate"));
+    EXPECT_TRUE(fs::exists(out_ / "scene_history.csv"));
+    const Finished empty = run_program({"sh", "-c", "\"$0\" burn - < /dev/null", program_path()});
+    EXPECT_EQ(empty.status, 2) << empty.output;
+}
+
+/// Typed as it lies here, not as seen from the scene.
+TEST_F(ProgramFiles, TakesATableThatLiesWhereTheUserIs) {
+    fs::create_directories(out_);
+    fs::copy_file(scenes + "pack72.csv", out_ / "mine.csv");
+    const std::string burn = "cd \"$2\" && \"$0\" burn \"$1\" --check --set morphology.file=";
+    for (const auto& [file, status] : {std::pair{"mine.csv", 0}, {"pack72.csv", 0}, {"no.csv", 2}})
+        EXPECT_EQ(
+            run_program({"sh", "-c", burn + file, program_path(), scenes + "pack.toml", out()})
+                .status,
+            status)
+            << file;
+}
+
+TEST_F(ProgramFiles, GoesOnFromAFailedStepWithAShorterOne) {
+    const std::vector<std::string> burn{"burn",  scenes + "slab.toml",    "--quiet", "--out", out(),
+                                        "--set", "output.history_every=3"};
+    auto failing = burn;
+    failing.insert(failing.end(), {"--set", "time.step=250 us", "--set", "time.end=10 ms"});
+    EXPECT_EQ(crawford(failing).status, 3);
+    std::string kept;
+    for (const auto& file : fs::directory_iterator(out_))
+        if (file.path().extension() == ".h5") kept = std::max(kept, file.path().string());
+    auto shorter = burn;
+    shorter.insert(shorter.end(),
+                   {"--set", "time.step=50 us", "--set", "time.end=10 ms", "--restart", kept});
+    const Finished done = crawford(shorter);
+    EXPECT_EQ(done.status, 0) << done.output;
+    std::ifstream history(out_ / "slab_history.csv");
+    std::string line, last;
+    while (std::getline(history, line)) last = line;
+    EXPECT_NEAR(std::stod(last), 10e-3, 1e-9) << "the last state has its row";
+}
+
 TEST_F(ProgramFiles, RefusesAnEmptyPath) {
     expect_refused({"burn", scenes + "slab.toml", "--out", ""}, "--out: is empty");
     expect_refused({"burn", scenes + "slab.toml", "--restart", ""}, "--restart: is empty");

@@ -101,7 +101,9 @@ double mean(const Snapshot& at, double from, double to, double depth, const Read
 template <class Read>
 reports::Sample along_surface(const Snapshot& at, double from, double to, const Read& read) {
     reports::Sample sample;
-    for (double x = from; x < to + 0.5 * coarsest_column; x += coarsest_column) {
+    const int count = int(std::lround((to - from) / coarsest_column)) + 1;
+    for (int k = 0; k < count; ++k) {
+        const double x = from + k * coarsest_column;
         const int last = at.position.columns() - 1;
         const double dx = at.position(last, 0).x() / last;
         sample.values.push_back(read(int(std::lround(x / dx)), at.position.rows() - 1));
