@@ -93,7 +93,7 @@ private:
         Checkpoint checkpoint = load_checkpoint(file, manifest_.scene);
         simulation_.restore(std::move(checkpoint.state));
         steadiness_.resume(checkpoint.memory.window);
-        if (checkpoint.memory.choice) steps_->resume(std::move(*checkpoint.memory.choice));
+        if (checkpoint.memory.choice) steps_->resume(*checkpoint.memory.choice);
         manifest_.restarted_from = file.string();
         if (steps_->at_the_end(simulation_.state()))
             throw InputError(

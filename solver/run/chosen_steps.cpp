@@ -36,10 +36,10 @@ ChosenSteps::ChosenSteps(const Scene& scene, const Grid& grid)
     for (int j = 1; j < grid.rows(); ++j) lowest_row_ = std::min(lowest_row_, grid.height(j));
 }
 
-void ChosenSteps::resume(StepChoice choice) {
+void ChosenSteps::resume(const StepChoice& choice) {
     next_ = choice.next;
     limit_ = choice.limit;
-    error_.resume(std::move(choice.memory));
+    error_.resume(choice.memory);
     count_ = choice.count;
 }
 

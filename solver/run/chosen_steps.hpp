@@ -28,7 +28,7 @@ public:
     std::optional<StepChoice> choice() const override {
         return StepChoice{next_, limit_, error_.memory(), count_};
     }
-    void resume(StepChoice choice) override;
+    void resume(const StepChoice& choice) override;
 
 private:
     /// Where a step ends, and how long it is [s].

@@ -23,7 +23,7 @@ public:
     /// What the next step's choice rests on; nothing where steps are equal.
     virtual std::optional<StepChoice> choice() const { return {}; }
     /// Goes on from there, bit for bit.
-    virtual void resume(StepChoice) {}
+    virtual void resume(const StepChoice& /*choice*/) {}
 
     /// The number that the last step will probably have, for who shows progress.
     virtual long last_step(const State& state) const = 0;
