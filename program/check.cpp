@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "program/commands.hpp"
+#include "reports/wrapped.hpp"
 #include "solver/files/guard_json.hpp"
 #include "solver/guards/predicted.hpp"
 
@@ -14,14 +15,17 @@ namespace crawford {
 
 namespace {
 
+constexpr size_t width = 80;
+constexpr auto indent = "    ";
+
 std::string verdict(const Guard& guard) {
     switch (guard.beyond) {
         case Beyond::nothing:
             return guard.limit ? "within" : "";
         case Beyond::remark:
-            return "remark: " + guard.text;
+            return "remark:";
         case Beyond::refusal:
-            return "refused: " + guard.text;
+            return "refused:";
     }
     return "";
 }
@@ -31,6 +35,7 @@ void print(const Guards& guards) {
         const std::string limit = guard.limit ? fmt::format("{:.4g}", *guard.limit) : "-";
         std::cout << fmt::format("{:<18} {:>10.4g}  limit {:>7}  {}\n", guard.name, guard.value,
                                  limit, verdict(guard));
+        if (!guard.text.empty()) std::cout << reports::wrapped(guard.text, indent, width);
     }
 }
 
@@ -78,7 +83,7 @@ int check(const Scene& scene, bool json) {
     } else {
         print(guards);
         for (const std::string& key : could_be_left_out(scene))
-            std::cout << "could be left out: " << key << '\n';
+            std::cout << reports::wrapped("could be left out: " + key, "", width);
     }
     refuse(guards);
     return exit_code::done;
