@@ -24,6 +24,13 @@ constexpr double limit_growth = 1.01;
 /// After which a step that is still too long is a failure of another kind.
 constexpr int most_trials = 25;
 
+/// A flame that swings is followed in so many steps a period: longer ones would not see it swing.
+double ceiling(const Surface& surface) {
+    constexpr double steps_a_period = 20.0;
+    if (!surface.modulation) return std::numeric_limits<double>::infinity();
+    return 1.0 / (steps_a_period * surface.modulation->frequency);
+}
+
 }  // namespace
 
 ChosenSteps::ChosenSteps(const Scene& scene, const Grid& grid)
@@ -32,7 +39,8 @@ ChosenSteps::ChosenSteps(const Scene& scene, const Grid& grid)
       error_(scene, grid),
       lowest_row_(grid.height(0)),
       next_(scene.time.step),
-      limit_(std::numeric_limits<double>::infinity()) {
+      ceiling_(ceiling(scene.surface)),
+      limit_(ceiling_) {
     for (int j = 1; j < grid.rows(); ++j) lowest_row_ = std::min(lowest_row_, grid.height(j));
 }
 
@@ -90,7 +98,7 @@ void ChosenSteps::accept(double length, double error, double rows) {
     if (change >= 1.0) wanted = std::max(wanted, std::min(next_, limit_));
     limit_ *= limit_growth;
     if (rows > 0.0) limit_ = std::min(limit_, caution * length / rows);
-    next_ = std::min(wanted, limit_);
+    next_ = std::min({wanted, limit_, ceiling_});
     count_.longest = std::max(count_.longest, length);
     count_.shortest = count_.shortest == 0.0 ? length : std::min(count_.shortest, length);
 }
@@ -100,7 +108,7 @@ void ChosenSteps::shorten(const NumericalFailure& failure, double tried) {
     const bool has_limit = fields.kind == FailureFields::Kind::beyond_limit && fields.value &&
                            fields.limit && !fields.limit->is_least && fields.limit->value > 0.0;
     const double by = has_limit ? caution * fields.limit->value / *fields.value : after_failure;
-    next_ = tried * std::clamp(by, largest_shrinkage, after_failure + 0.45);
+    next_ = tried * std::clamp(by, largest_shrinkage, caution);
     limit_ = next_;
 }
 

@@ -11,8 +11,8 @@ namespace crawford {
 
 /// A step is taken where it adds less than time.accuracy of error (step_error.hpp); else it is
 /// tried again, shorter. The next one is as long as the error of this one lets it be. A step that
-/// fails is tried again as well: where a number is beyond its limit, by that much shorter. None burns
-/// more than nine tenths of the lowest row: what is explicit goes no further.
+/// fails is tried again as well: where a number is beyond its limit, by that much shorter. The next one
+/// is planned to burn no more than 0.85 of the lowest row: what is explicit goes not much further.
 ///
 /// Steps end at the times of snapshots and at time.end, and before these the way that is left is
 /// shared out evenly. Checkpoints shorten none: a run does not depend on them.
@@ -50,6 +50,7 @@ private:
     StepError error_;
     double lowest_row_;  ///< [m]
     double next_;        ///< [s]
+    double ceiling_;     ///< of all steps [s]
     double limit_;       ///< below which steps did not fail of late [s]
     StepCount count_;
 };

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -100,6 +102,18 @@ TEST(ChosenSteps, AreTriedAgainShorterWhereOneFails) {
     EXPECT_GT(steps.choice()->count.failed, 0);
     EXPECT_LT(steps.choice()->count.failed, simulation.state().step);
     EXPECT_LT(steps.choice()->count.longest, 0.6e-3);
+}
+
+TEST(ChosenSteps, FollowAFlameThatSwings) {
+    Scene scene = rigid_slab();
+    scene.surface.modulation = FluxModulation{.amplitude = 1e-6, .frequency = 1000.0};
+    Simulation simulation(scene);
+    double longest = 0.0;
+    run_to_end(simulation, {[&](const Simulation& now, double before) {
+                   longest = std::max(longest, now.state().time - before);
+               }});
+    EXPECT_GT(longest, 40e-6);
+    EXPECT_LE(longest, 50e-6 * (1.0 + 1e-9)) << "a twentieth of a period";
 }
 
 TEST(ChosenSteps, FailInTheEndWhereNoStepIsShortEnough) {
