@@ -143,6 +143,7 @@ reports::Study kind(const std::string& name, const std::function<std::vector<Sce
                     int least) {
     reports::Study study("guards, " + name);
     study.refines("kinds", {1})
+        .covers({term::pyrolysis, term::time_step})
         .measure([scenes](int) {
             Count count;
             for (const Scene& scene : scenes()) count.add(scene);
