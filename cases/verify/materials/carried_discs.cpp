@@ -33,7 +33,7 @@ constexpr double pi = std::numbers::pi;
 /// waves have moved them.
 const Discs discs{
     .discs = {{91.3 * um, -90.1 * um, 50.2 * um}, {-70.7 * um, -170.9 * um, 31.4 * um}},
-    .period = 2.0 * width};
+    .period = 1.05 * width};
 
 MaterialMap map_of(const Shape& shape, const Grid& grid,
                    Indicator indicator = Indicator::reference_map) {
