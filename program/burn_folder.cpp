@@ -1,6 +1,5 @@
 #include "program/burn_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -79,17 +78,7 @@ bool is_alive(const std::optional<Owner>& owner, const fs::path& path) {
 /// Makes the file whole at once: a link fails where the name is taken.
 bool make_exclusively(const fs::path& path) {
     const fs::path own = fmt::format("{}.{}.{}", path.string(), host_name(), ::getpid());
-    {
-        const int file = ::open(own.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-        const std::string text =
-            fmt::format("{} {} {}\n", host_name(), ::getpid(), beginning_of(::getpid()));
-        const bool is_written =
-            file >= 0 && ::write(file, text.data(), text.size()) == ssize_t(text.size());
-        const int problem = errno;
-        if (file >= 0) ::close(file);
-        if (!is_written)
-            throw InputError(fmt::format("cannot write {}: {}", own.string(), strerror(problem)));
-    }
+    write_file(own, fmt::format("{} {} {}\n", host_name(), ::getpid(), beginning_of(::getpid())));
     std::error_code taken;
     fs::create_hard_link(own, path, taken);
     fs::remove(own);
@@ -103,17 +92,6 @@ bool make_exclusively(const fs::path& path) {
         owner ? fmt::format("process {} on {}", owner->process, owner->host) : "another run";
     throw InputError(fmt::format(
         "{} is being written into by {}; wait for it or name another --out", folder.string(), who));
-}
-
-/// The key that differs from what a manifest holds, with both values.
-std::optional<std::string> difference_from(const nlohmann::json& manifest,
-                                           const std::string& toml) {
-    auto found = difference(manifest.at("scene").get<std::string>(), toml);
-    if (!found) return {};
-    constexpr std::string_view there = "in the checkpoint";
-    if (const auto at = found->find(there); at != std::string::npos)
-        found->replace(at, there.size(), "there");
-    return found;
 }
 
 std::optional<nlohmann::json> manifest_in(const fs::path& folder) {
@@ -177,7 +155,7 @@ void refuse_results_of_others(const fs::path& folder, const Burning& burning, bo
     }
     const auto manifest = manifest_in(folder);
     if (!manifest) return;
-    const auto key = difference_from(*manifest, burning.toml);
+    const auto key = difference(manifest->at("scene").get<std::string>(), burning.toml, "there");
     if (!key) return;
     const auto command = manifest->at("command").get<std::vector<std::string>>();
     const bool is_same_file = std::ranges::find(command, burning.scene.string()) != command.end();

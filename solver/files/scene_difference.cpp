@@ -97,8 +97,9 @@ bool are_equal(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::optional<std::string> difference(const std::string& checkpoint, const std::string& scene) {
-    const Values old_values = parse(complete(checkpoint));
+std::optional<std::string> difference(const std::string& before, const std::string& scene,
+                                      std::string_view where) {
+    const Values old_values = parse(complete(before));
     const Values new_values = parse(complete(scene));
     Values all = old_values;
     all.insert(new_values.begin(), new_values.end());
@@ -106,8 +107,7 @@ std::optional<std::string> difference(const std::string& checkpoint, const std::
         const std::string old_value = value_of(old_values, key);
         const std::string new_value = value_of(new_values, key);
         if (!are_equal(old_value, new_value))
-            return fmt::format("{} is {} in the checkpoint and {} in the scene", key, old_value,
-                               new_value);
+            return fmt::format("{} is {} {} and {} in the scene", key, old_value, where, new_value);
     }
     return std::nullopt;
 }

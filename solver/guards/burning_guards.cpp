@@ -69,9 +69,9 @@ double front_limit(const Scene& scene, const Grid& grid, const Material& m,
                    const SteadySlab& slab) {
     const double dt = scene.time.step;
     const bool euler = scene.time.scheme == Stepping::euler;
-    const double share = std::max(0.5, least_implicit(dt, stiffest_rate(grid, diffusivity(m))));
+    const double share = std::max(0.5, least_implicit(dt, stiffest_rate(grid, m.diffusivity())));
     const double bare = euler ? 2.0 : 4.0 / 3.0;
-    const double layers = diffusivity(m) / (slab.burn_rate * slab.burn_rate * dt);
+    const double layers = m.diffusivity() / (slab.burn_rate * slab.burn_rate * dt);
     const double stiff = euler ? 2.0 * layers / (2.0 * share - 1.0) : 4.0 * layers;
     if (!std::isfinite(stiff)) return bare;
     const double l = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * stiff));
@@ -86,7 +86,7 @@ Guard front_coupling(const Scene& scene, const Grid& grid, const Material& m,
     // Measured: a slab of AP has burnt 0.8 % too far in 40 ms at 0.54, 0.4 % at 0.27.
     constexpr double followed = 0.5;
     Guard guard{.name = "front_coupling",
-                .value = slab.burn_rate * slab.burn_rate * z * scene.time.step / diffusivity(m),
+                .value = slab.burn_rate * slab.burn_rate * z * scene.time.step / m.diffusivity(),
                 .limit = followed};
     if (guard.value <= *guard.limit) return guard;
     const double fine = *guard.limit / guard.value * scene.time.step;

@@ -26,24 +26,12 @@ double left_below(double peclet) {
 
 }  // namespace
 
-double narrowest_column(const Grid& grid) {
-    double least = grid.dx(0);
-    for (int i = 1; i < grid.cell_columns(); ++i) least = std::min(least, grid.dx(i));
-    return least;
-}
-
-double lowest_row(const Grid& grid) {
-    double least = grid.height(0);
-    for (int j = 1; j < grid.rows(); ++j) least = std::min(least, grid.height(j));
-    return least;
-}
-
 Guard cell_peclet(const Grid& grid, const Material& material, double burn_rate) {
     constexpr double cold = 0.02;  // of the rise: what is left below matters to nothing
     double worst = 0.0;
     double left = 1.0;
     for (int j = grid.rows() - 1; j >= 0 && std::abs(left) > cold; --j) {
-        const double peclet = burn_rate * grid.height(j) / diffusivity(material);
+        const double peclet = burn_rate * grid.height(j) / material.diffusivity();
         worst = std::max(worst, peclet);
         left *= left_below(peclet);
     }
@@ -57,7 +45,7 @@ double deepest_undershoot(const Scene& scene, const Grid& grid, const Material& 
     double left = slab.surface_temperature - scene.bottom.temperature;
     double lowest = 0.0;
     for (int j = grid.rows() - 1; j > 0; --j) {
-        left *= left_below(slab.burn_rate * grid.height(j) / diffusivity(material));
+        left *= left_below(slab.burn_rate * grid.height(j) / material.diffusivity());
         lowest = std::min(lowest, left);
     }
     return std::abs(lowest);
@@ -73,14 +61,14 @@ Guard undershoot(double kelvin) {
 Guard layers_in_window(const Scene& scene, const Material& material, double burn_rate) {
     constexpr double limit = 5.0;  // e^-5 of the rise is left at the bottom
     Guard guard{.name = "layers_in_window",
-                .value = scene.domain.depth * burn_rate / diffusivity(material),
+                .value = scene.domain.depth * burn_rate / material.diffusivity(),
                 .limit = limit,
                 .is_least = true};
     if (guard.value >= limit) return guard;
     guard.beyond = Beyond::remark;
     guard.text =
         fmt::format("the bottom cools the surface of {}; raise domain.depth to {:.4g} um or more",
-                    material.name, std::ceil(1e6 * limit * diffusivity(material) / burn_rate));
+                    material.name, std::ceil(1e6 * limit * material.diffusivity() / burn_rate));
     return guard;
 }
 
@@ -91,7 +79,7 @@ Guard fourier(const Scene& scene, const Grid& grid, const Material& material) {
     constexpr double forgotten = 100.0;
     const double height = lowest_row(grid);
     Guard guard{.name = "fourier",
-                .value = diffusivity(material) * scene.time.step / (height * height),
+                .value = material.diffusivity() * scene.time.step / (height * height),
                 .limit = ringing};
     const bool rings = scene.time.scheme == Stepping::euler && guard.value > ringing;
     if (!rings || scene.time.end / scene.time.step >= forgotten) return guard;
@@ -106,7 +94,7 @@ Guard relaxation(const Scene& scene, const Grid& grid, const Material& material)
     if (grid.cell_columns() == 1) return relaxation(0.0, scene);
     const double width = narrowest_column(grid);
     const double share = scene.time.scheme == Stepping::bdf2 ? 2.0 / 3.0 : 0.5;
-    const double a = share * diffusivity(material) * scene.time.step / (width * width);
+    const double a = share * material.diffusivity() * scene.time.step / (width * width);
     const double jacobi = 2.0 * a / (1.0 + 2.0 * a);
     return relaxation(jacobi * jacobi, scene);
 }
@@ -119,8 +107,7 @@ Guard relaxation(double contraction, const Scene& scene) {
 }
 
 Guard pressing(const Scene& scene, const Grid& grid, const Material& material) {
-    const double confined = material.bulk_modulus + 4.0 / 3.0 * material.shear_modulus;
-    const double strain = scene.surface.pressure / confined;
+    const double strain = scene.surface.pressure / material.uniaxial_modulus();
     const double cells = scene.domain.depth / lowest_row(grid);
     constexpr double linear = 0.1;  // of the depth: small strain ends there
     return no_more_than("pressing", strain * cells, linear * cells,

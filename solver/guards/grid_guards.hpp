@@ -8,9 +8,6 @@
 
 namespace crawford {
 
-double narrowest_column(const Grid& grid);  ///< [m]
-double lowest_row(const Grid& grid);        ///< [m]
-
 /// r_b h/D in the rows that hold the thermal layer; beyond 2 central differences undershoot.
 Guard cell_peclet(const Grid& grid, const Material& material, double burn_rate);
 

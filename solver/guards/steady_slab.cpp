@@ -38,8 +38,7 @@ private:
         const double start = scene_.bottom.temperature;
         const double rise = surface - start;
         if (!scene_.physics.mechanics) return solid_.heat_capacity * rise;
-        const double confined = solid_.bulk_modulus + 4.0 / 3.0 * solid_.shear_modulus;
-        const double theta = solid_.stress_of_heat / confined;
+        const double theta = solid_.stress_of_heat / material_.uniaxial_modulus();
         double w = solid_.heat_of_stretch * theta;
         if (scene_.numerics.heat_capacity == HeatCapacity::constant_volume)
             w -= solid_.heat_of_stretch * solid_.heat_of_stretch / solid_.bulk_modulus;
@@ -86,12 +85,7 @@ CoupledSolid coupled(const Material& m, const Numerics& numerics) {
 
 double heat_capacity(const CoupledSolid& solid, HeatCapacity reading, double temperature) {
     if (reading == HeatCapacity::constant_pressure) return solid.heat_capacity;
-    return solid.heat_capacity -
-           solid.heat_of_stretch * solid.heat_of_stretch * temperature / solid.bulk_modulus;
-}
-
-double diffusivity(const Material& m) {
-    return m.thermal_conductivity / (m.density * m.specific_heat);
+    return solid.heat_capacity - solid.split_capacity(temperature);
 }
 
 SlabAnswer steady_slab(const Scene& scene, size_t material) {

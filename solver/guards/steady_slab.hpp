@@ -46,7 +46,4 @@ CoupledSolid coupled(const Material& material, const Numerics& numerics);
 /// rho c at a temperature: with c_v it falls as the solid is heated.
 double heat_capacity(const CoupledSolid& solid, HeatCapacity reading, double temperature);
 
-/// D = kappa/(rho c_p) [m^2/s]
-double diffusivity(const Material& material);
-
 }  // namespace crawford

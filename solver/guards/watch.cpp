@@ -98,8 +98,7 @@ Watch::Crossed Watch::crossed(const Simulation& simulation, const Summary& summa
                 std::max(worst.rows, std::abs(v.y() * dt + fall) * rows_in_a_metre_[size_t(j)]);
         }
     }
-    for (int i = 0; i < grid.cell_columns(); ++i)
-        worst.slope = std::max(worst.slope, std::abs(grid.slope(state.surface, i)));
+    worst.slope = largest_slope(grid, state.surface);
     worst.of_surface =
         summary.mean_burn_rate * dt / narrowest_ * worst.slope / std::hypot(1.0, worst.slope);
     surface_ = state.surface;

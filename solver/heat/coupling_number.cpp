@@ -7,8 +7,7 @@ double coupling_number(const CoupledSolid& solid, Coupling coupling, double temp
     const double answer =
         solid.heat_of_stretch * solid.stress_of_heat * temperature / confined;  // [J/(m^3 K)]
     if (coupling == Coupling::lagged) return answer / solid.heat_capacity;
-    const double split =
-        solid.heat_of_stretch * solid.heat_of_stretch * temperature / solid.bulk_modulus;
+    const double split = solid.split_capacity(temperature);
     return (answer - split) / (solid.heat_capacity + split);
 }
 

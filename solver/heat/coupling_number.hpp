@@ -23,6 +23,11 @@ struct CoupledSolid {
     double shear_modulus;    ///< mu [Pa]
     double stress_of_heat;   ///< beta_s of the thermal stress [Pa/K]
     double heat_of_stretch;  ///< beta_w of the stress work [Pa/K]
+
+    /// s = beta_w^2 T/K [J/(m^3 K)].
+    double split_capacity(double temperature) const {
+        return heat_of_stretch * heat_of_stretch * temperature / bulk_modulus;
+    }
 };
 
 double coupling_number(const CoupledSolid& solid, Coupling coupling, double temperature);

@@ -26,13 +26,6 @@ void check(const NodeField& temperature, const char* advice) {
                                         .advice = advice});
 }
 
-double largest_diffusivity(const MaterialMap& materials) {
-    const auto diffusivity = [](const Material& m) {
-        return m.thermal_conductivity / (m.density * m.specific_heat);
-    };
-    return std::max(diffusivity(materials.first()), diffusivity(materials.second()));
-}
-
 }  // namespace
 
 double stiffest_rate(const Grid& grid, double diffusivity) {
@@ -62,7 +55,7 @@ HeatStep::HeatStep(const Scene& scene, const Grid& grid, const MaterialMap& mate
       numerics_(scene.numerics),
       scheme_(scene.time.scheme),
       deforms_(scene.physics.mechanics),
-      stiffest_rate_(stiffest_rate(grid, largest_diffusivity(materials))),
+      stiffest_rate_(stiffest_rate(grid, largest_diffusivity(scene.morphology.materials))),
       transport_(grid),
       mass_(grid.node_columns(), grid.rows() + 1),
       load_(grid.node_columns(), grid.rows() + 1) {}

@@ -1,5 +1,6 @@
 #include "solver/mesh/grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace crawford {
@@ -38,6 +39,25 @@ double mean_height(const Grid& grid, const SurfaceField& surface) {
     for (int i = 0; i < grid.cell_columns(); ++i)
         area += 0.5 * grid.dx(i) * (surface[size_t(i)] + surface[size_t(grid.right_node(i))]);
     return area / grid.width();
+}
+
+double largest_slope(const Grid& grid, const SurfaceField& surface) {
+    double largest = 0.0;
+    for (int i = 0; i < grid.cell_columns(); ++i)
+        largest = std::max(largest, std::abs(grid.slope(surface, i)));
+    return largest;
+}
+
+double narrowest_column(const Grid& grid) {
+    double least = grid.dx(0);
+    for (int i = 1; i < grid.cell_columns(); ++i) least = std::min(least, grid.dx(i));
+    return least;
+}
+
+double lowest_row(const Grid& grid) {
+    double least = grid.height(0);
+    for (int j = 1; j < grid.rows(); ++j) least = std::min(least, grid.height(j));
+    return least;
 }
 
 }  // namespace crawford

@@ -85,5 +85,10 @@ private:
 
 /// Of the straight surface between the node columns, over the width [m].
 double mean_height(const Grid& grid, const SurfaceField& surface);
+/// Of its segments, in magnitude.
+double largest_slope(const Grid& grid, const SurfaceField& surface);
+
+double narrowest_column(const Grid& grid);  ///< [m]
+double lowest_row(const Grid& grid);        ///< [m]
 
 }  // namespace crawford

@@ -45,7 +45,6 @@ public:
         manifest_.predicted = predicted(scene);
         refuse(manifest_.predicted);
         if (options.restart) restart(*options.restart);
-        watch_ = Watch(simulation_);
         prepare_directory(options.directory);
         manifest_.command = options.command;
         manifest_.seeds = seeds_of(scene);
@@ -92,6 +91,7 @@ private:
     void restart(const std::filesystem::path& file) {
         Checkpoint checkpoint = load_checkpoint(file, manifest_.scene);
         simulation_.restore(std::move(checkpoint.state));
+        watch_ = Watch(simulation_);
         steadiness_.resume(checkpoint.memory.window);
         if (checkpoint.memory.choice) steps_->resume(*checkpoint.memory.choice);
         manifest_.restarted_from = file.string();

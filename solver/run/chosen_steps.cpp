@@ -37,12 +37,10 @@ ChosenSteps::ChosenSteps(const Scene& scene, const Grid& grid)
     : time_(scene.time),
       snapshots_every_(scene.output.snapshots_every),
       error_(scene, grid),
-      lowest_row_(grid.height(0)),
+      lowest_row_(lowest_row(grid)),
       next_(scene.time.step),
       ceiling_(ceiling(scene.surface)),
-      limit_(ceiling_) {
-    for (int j = 1; j < grid.rows(); ++j) lowest_row_ = std::min(lowest_row_, grid.height(j));
-}
+      limit_(ceiling_) {}
 
 void ChosenSteps::resume(const StepChoice& choice) {
     next_ = choice.next;
@@ -130,7 +128,7 @@ ChosenSteps::Span ChosenSteps::span_from(double now) const {
 }
 
 long ChosenSteps::last_step(const State& state) const {
-    return state.step + std::max(0L, std::lround(std::ceil((time_.end - state.time) / next_)));
+    return state.step + steps_over(time_.end - state.time, next_);
 }
 
 }  // namespace crawford

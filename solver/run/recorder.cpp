@@ -19,13 +19,6 @@ History open_history(const std::filesystem::path& path, const State& state, int 
     return History::resume(path, due ? state.time : state.time - 0.5 * state.length);
 }
 
-double largest_slope(const Grid& grid, const SurfaceField& surface) {
-    double largest = 0.0;
-    for (int i = 0; i < grid.cell_columns(); ++i)
-        largest = std::max(largest, std::abs(grid.slope(surface, i)));
-    return largest;
-}
-
 }  // namespace
 
 HistoryRow history_row(const Simulation& simulation, const Summary& summary) {

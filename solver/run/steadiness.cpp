@@ -13,13 +13,6 @@ constexpr double least_window = 1e-3;  // [s]
 // is then at most a hundred times that change.
 constexpr double share_of_relaxation = 0.01;
 
-double largest_diffusivity(const std::vector<Material>& materials) {
-    double largest = 0.0;
-    for (const Material& m : materials)
-        largest = std::max(largest, m.thermal_conductivity / (m.density * m.specific_heat));
-    return largest;
-}
-
 }  // namespace
 
 Steadiness::Steadiness(const Scene& scene)

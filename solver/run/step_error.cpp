@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/time_integration/time_step.hpp"
+
 namespace crawford {
 
 namespace {
 
-double largest(const std::vector<Material>& materials, double (*of)(const Material&)) {
+double largest_activation(const std::vector<Material>& materials) {
     double largest = 0.0;
-    for (const Material& m : materials) largest = std::max(largest, of(m));
+    for (const Material& m : materials) largest = std::max(largest, m.activation_temperature);
     return largest;
 }
 
@@ -30,13 +32,9 @@ StepError::StepError(const Scene& scene, const Grid& grid)
     : grid_(grid),
       end_(scene.time.end),
       order_(scene.time.scheme == Stepping::bdf2 ? 3 : 2),
-      diffusivity_(largest(scene.morphology.materials,
-                           [](const Material& m) {
-                               return m.thermal_conductivity / (m.density * m.specific_heat);
-                           })),
+      diffusivity_(largest_diffusivity(scene.morphology.materials)),
       activation_(scene.physics.regression == Regression::pyrolysis
-                      ? largest(scene.morphology.materials,
-                                [](const Material& m) { return m.activation_temperature; })
+                      ? largest_activation(scene.morphology.materials)
                       : 0.0) {}
 
 /// Of the temperature of each node of the surface.
@@ -59,8 +57,7 @@ std::vector<double> StepError::curvatures(const std::vector<double>& slopes, dou
 
 double StepError::span_of(double length) const {
     if (order_ == 2) return length;
-    const double ratio = length / memory_.length;
-    return (1.0 + ratio) / (1.0 + 2.0 * ratio) * length;
+    return bdf2_weights(length / memory_.length).of_span * length;
 }
 
 /// Of a quantity whose derivative of the order of the error, y'' or y''', is 1.

@@ -25,13 +25,11 @@ public:
         take_step(simulation, counted ? length_ * double(now.step + 1) : now.time + length_,
                   length_);
     }
-    bool at_the_end(const State& state) const override { return steps_left(state) <= 0; }
+    bool at_the_end(const State& state) const override { return steps_left(state) == 0; }
     long last_step(const State& state) const override { return state.step + steps_left(state); }
 
 private:
-    long steps_left(const State& state) const {
-        return std::max(std::lround(std::ceil((end_ - state.time) / length_ - grace)), 0L);
-    }
+    long steps_left(const State& state) const { return steps_over(end_ - state.time, length_); }
 
     double length_, end_;
 };
@@ -39,7 +37,11 @@ private:
 }  // namespace
 
 long last_step(const Time& time) {
-    return std::lround(std::ceil(time.end / time.step - 1e-6));
+    return steps_over(time.end, time.step);
+}
+
+long steps_over(double span, double length) {
+    return std::max(std::lround(std::ceil(span / length - grace)), 0L);
 }
 
 void take_step(Simulation& simulation, double end, double length) {

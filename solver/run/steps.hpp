@@ -36,6 +36,9 @@ std::unique_ptr<Steps> steps_of(const Simulation& simulation);
 /// least that covers it.
 long last_step(const Time& time);
 
+/// How many steps of this length it takes to cover a span [s]; 0 where none is left.
+long steps_over(double span, double length);
+
 /// One step of the simulation, booked as work done.
 void take_step(Simulation& simulation, double end, double length);
 

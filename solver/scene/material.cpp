@@ -1,5 +1,7 @@
 #include "solver/scene/material.hpp"
 
+#include <algorithm>
+
 namespace crawford {
 
 namespace {
@@ -38,6 +40,12 @@ Material htpb_binder() {
             .pyrolysis_prefactor = 10.36,
             .activation_temperature = 7500.0,
             .heat_of_reaction = -100.0 * thermochemical_kilocalorie};
+}
+
+double largest_diffusivity(const std::vector<Material>& materials) {
+    double largest = 0.0;
+    for (const Material& material : materials) largest = std::max(largest, material.diffusivity());
+    return largest;
 }
 
 }  // namespace crawford

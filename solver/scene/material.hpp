@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "solver/scene/limits.hpp"
 
@@ -22,7 +23,14 @@ struct Material {
 
     /// Lamé's first parameter lambda = K - 2 mu/3 [Pa] (paper eq. 1).
     double lame() const { return bulk_modulus - 2.0 / 3.0 * shear_modulus; }
+    /// D = kappa/(rho c_p) [m^2/s].
+    double diffusivity() const { return thermal_conductivity / (density * specific_heat); }
+    /// P = K + 4 mu/3 [Pa], of what cannot widen.
+    double uniaxial_modulus() const { return bulk_modulus + 4.0 / 3.0 * shear_modulus; }
 };
+
+/// [m^2/s]; 0 of none.
+double largest_diffusivity(const std::vector<Material>& materials);
 
 /// A property as a scene gives it: its key, where it is kept, its unit and limits.
 struct MaterialProperty {

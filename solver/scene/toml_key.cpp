@@ -1,5 +1,7 @@
 #include "solver/scene/toml_key.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -13,14 +15,25 @@ bool is_bare(char c) {
 
 }  // namespace
 
+std::string in_quotes(std::string_view text) {
+    std::string in_quotes = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            in_quotes += '\\';
+            in_quotes += c;
+        } else if (byte < 0x20 || byte == 0x7f) {
+            in_quotes += fmt::format("\\u{:04x}", byte);
+        } else {
+            in_quotes += c;
+        }
+    }
+    return in_quotes + '"';
+}
+
 std::string toml_key(std::string_view key) {
     if (!key.empty() && std::ranges::all_of(key, is_bare)) return std::string(key);
-    std::string quoted = "\"";
-    for (const char c : key) {
-        if (c == '"' || c == '\\') quoted += '\\';
-        quoted += c;
-    }
-    return quoted + '"';
+    return in_quotes(key);
 }
 
 std::string take_key(std::string_view& path) {

@@ -1,10 +1,13 @@
-/// Keys as TOML writes them: in quotes where they are more than letters, digits, _ and -.
+/// Keys and texts as TOML writes them: a key in quotes where it is more than letters, digits, _ and -.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 namespace crawford {
+
+/// A text with its quotes, and what may not stand between them escaped.
+std::string in_quotes(std::string_view text);
 
 /// `"filled binder"`, with its quotes; AP.
 std::string toml_key(std::string_view key);

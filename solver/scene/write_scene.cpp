@@ -8,26 +8,11 @@
 
 #include "solver/scene/defaults.hpp"
 #include "solver/scene/scene_keys.hpp"
+#include "solver/scene/toml_key.hpp"
 
 namespace crawford {
 
 namespace {
-
-std::string in_quotes(std::string_view text) {
-    std::string in_quotes = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            in_quotes += '\\';
-            in_quotes += c;
-        } else if (byte < 0x20 || byte == 0x7f) {
-            in_quotes += fmt::format("\\u{:04x}", byte);
-        } else {
-            in_quotes += c;
-        }
-    }
-    return in_quotes + '"';
-}
 
 std::string with_unit(double value, const char* unit) {
     return fmt::format("\"{} {}\"", value, unit);

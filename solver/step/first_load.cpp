@@ -14,45 +14,25 @@ double loading_time(const Scene& scene) {
     return std::max(scene.time.step, viscous_time(scene) / viscous_share);
 }
 
-class FirstLoad {
-public:
-    FirstLoad(State& state, const LoadedSolid& solid)
-        : state_(state), solid_(solid), dt_(loading_time(solid.scene)) {}
-
-    void press() {
-        settle();
-        std::ranges::fill(state_.velocity.values(), Vector::Zero());
-    }
-
-private:
-    /// Moves the solid to where its stress is in equilibrium.
-    void settle() {
-        solid_.projection.solve(state_.stress, state_.surface, state_.time, dt_, state_.velocity);
-        solid_.stress.correct(state_.stress, state_.surface, state_.velocity, dt_);
-        const bool carried =
-            solid_.scene.numerics.surface_motion == SurfaceMotion::burning_with_material;
-        if (carried) carry_surface();
-        // The shift of a solid that has not moved is zero, and so is its gradient: it is added, not
-        // carried.
-        for (size_t k = 0; k < state_.reference_shift.values().size(); ++k)
-            state_.reference_shift.values()[k] -= dt_ * state_.velocity.values()[k];
-    }
-
-    void carry_surface() {
-        for (int i = 0; i < solid_.grid.node_columns(); ++i)
-            state_.surface[size_t(i)] += dt_ * state_.velocity(i, solid_.grid.rows()).y();
-    }
-
-    State& state_;
-    const LoadedSolid& solid_;
-    double dt_;
-};
+void carry(SurfaceField& surface, const NodeVectors& velocity, const Grid& grid, double dt) {
+    for (int i = 0; i < grid.node_columns(); ++i)
+        surface[size_t(i)] += dt * velocity(i, grid.rows()).y();
+}
 
 }  // namespace
 
-State under_first_load(State start, const LoadedSolid& solid) {
-    FirstLoad(start, solid).press();
-    return start;
+State under_first_load(State state, const LoadedSolid& solid) {
+    const double dt = loading_time(solid.scene);
+    solid.projection.solve(state.stress, state.surface, state.time, dt, state.velocity);
+    solid.stress.correct(state.stress, state.surface, state.velocity, dt);
+    if (solid.scene.numerics.surface_motion == SurfaceMotion::burning_with_material)
+        carry(state.surface, state.velocity, solid.grid, dt);
+    // The shift of a solid that has not moved is zero, and so is its gradient: it is added, not
+    // carried.
+    for (size_t k = 0; k < state.reference_shift.values().size(); ++k)
+        state.reference_shift.values()[k] -= dt * state.velocity.values()[k];
+    std::ranges::fill(state.velocity.values(), Vector::Zero());
+    return state;
 }
 
 }  // namespace crawford

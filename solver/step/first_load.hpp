@@ -23,6 +23,6 @@ struct LoadedSolid {
 
 /// The state at the start as it is under its load.
 /// \throws NumericalFailure if the linear solver fails.
-State under_first_load(State start, const LoadedSolid& solid);
+State under_first_load(State state, const LoadedSolid& solid);
 
 }  // namespace crawford

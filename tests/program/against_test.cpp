@@ -1,6 +1,4 @@
 /// `crawford verify --against`: what it says and how it ends.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -9,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/process.hpp"
-#include "tests/program_path.hpp"
+#include "tests/program/program.hpp"
 
 namespace crawford {
 namespace {
@@ -19,17 +16,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-class ProgramAgainst : public testing::Test {
+class ProgramAgainst : public ProgramTest {
 protected:
-    ProgramAgainst()
-        : out_(fs::path(testing::TempDir()) /
-               (std::string("crawford_against_") +
-                testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(out_);
-        fs::create_directories(out_);
-    }
-    void TearDown() override { fs::remove_all(out_); }
-
+    ProgramAgainst() { fs::create_directories(out_); }
     Finished verify(const std::vector<std::string>& more) const {
         std::vector<std::string> command{program_path(), "verify", "slab-burning-law",
                                          "--quiet",      "--out",  new_run()};
@@ -58,8 +47,6 @@ protected:
         EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
         EXPECT_FALSE(fs::exists(new_run())) << "refused before anything is run";
     }
-
-    fs::path out_;
 };
 
 TEST_F(ProgramAgainst, RefusesBeforeItRuns) {

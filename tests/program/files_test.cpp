@@ -1,7 +1,5 @@
 /// What the built program does with the files and folders that it is given, and how it leaves them.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/process.hpp"
-#include "base/source_tree.hpp"
-#include "tests/program_path.hpp"
+#include "tests/program/program.hpp"
 
 namespace crawford {
 namespace {
@@ -22,38 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string scenes = source_path("cases/scenes/").string();
 const std::string one = "slab, AP, beta = 3 alpha K";
 
-Finished crawford(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), program_path());
-    return run_program(arguments);
-}
-
-/// A directory of the test's own, which does not exist yet.
-class ProgramFiles : public testing::Test {
-protected:
-    ProgramFiles()
-        : out_(fs::path(testing::TempDir()) /
-               (std::string("crawford_program_files_") +
-                testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(out_);
-    }
-    void TearDown() override { fs::remove_all(out_); }
-
-    std::string out() const { return out_.string(); }
-
-    fs::path out_;
-};
-
-/// Refused as wrong input, in one line that contains `message`.
-void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
-    const Finished run = crawford(arguments);
-    EXPECT_EQ(run.status, 2) << run.output;
-    EXPECT_THAT(run.output, HasSubstr(message));
-    EXPECT_THAT(run.output, testing::StartsWith("crawford: "));
-    EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
-}
+class ProgramFiles : public ProgramTest {};
 
 /// A short burn of the slab, told to write into the test's own directory.
 std::vector<std::string> short_burn(const std::string& out, std::vector<std::string> more = {}) {

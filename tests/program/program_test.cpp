@@ -1,7 +1,7 @@
 /// The program as a user meets it: what it says, where, and how it ends. Every test runs the built
 /// `crawford`.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+
+#include "tests/program/program.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,10 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "base/process.hpp"
-#include "base/source_tree.hpp"
 #include "reports/ledger.hpp"
-#include "tests/program_path.hpp"
 
 namespace crawford {
 namespace {
@@ -24,37 +21,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string scenes = source_path("cases/scenes/").string();
-
-Finished crawford(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), program_path());
-    return run_program(arguments);
-}
-
-/// A directory of the test's own, which does not exist yet.
-class Program : public testing::Test {
-protected:
-    Program()
-        : out_(fs::path(testing::TempDir()) /
-               (std::string("crawford_program_") +
-                testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(out_);
-    }
-    void TearDown() override { fs::remove_all(out_); }
-
-    std::string out() const { return out_.string(); }
-
-    fs::path out_;
-};
-
-/// Refused as wrong input, in one line that contains `message`.
-void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
-    const Finished run = crawford(arguments);
-    EXPECT_EQ(run.status, 2) << run.output;
-    EXPECT_THAT(run.output, HasSubstr(message));
-    EXPECT_THAT(run.output, testing::StartsWith("crawford: "));
-    EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
-}
+class Program : public ProgramTest {};
 
 TEST_F(Program, ExplainsItselfToANewcomer) {
     const Finished help = crawford({"--help"});
@@ -81,7 +48,7 @@ TEST_F(Program, RefusesACouplingThatWouldBurnAtAWrongRate) {
     expect_refused(burn, "coupling = 0.7");
     EXPECT_FALSE(fs::exists(out())) << "nothing is written";
     std::vector<std::string> check = wrong;
-    check.push_back("--check");
+    check.emplace_back("--check");
     EXPECT_EQ(crawford(check).status, 2);
     check.insert(check.end(), {"--set", "numerics.coupling=adiabatic", "--json"});
     const Finished sound = crawford(check);

@@ -1,6 +1,4 @@
 /// What `crawford verify` keeps and when it trusts it.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/process.hpp"
-#include "tests/program_path.hpp"
+#include "tests/program/program.hpp"
 
 namespace crawford {
 namespace {
@@ -20,16 +17,8 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-class ProgramRecords : public testing::Test {
+class ProgramRecords : public ProgramTest {
 protected:
-    ProgramRecords()
-        : out_(fs::path(testing::TempDir()) /
-               (std::string("crawford_kept_") +
-                testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(out_);
-    }
-    void TearDown() override { fs::remove_all(out_); }
-
     Finished verify(const std::string& program, std::vector<std::string> more = {}) const {
         std::vector<std::string> command{program, "verify"};
         const std::vector<std::string> studies{"slab-burning-law", "heat-time"};
@@ -53,8 +42,6 @@ protected:
         return all;
     }
     json report() const { return json::parse(std::ifstream(out_ / "verify.json")); }
-
-    fs::path out_;
 };
 
 TEST_F(ProgramRecords, AreMadeOnceAndJudgedAgain) {

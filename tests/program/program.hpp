@@ -1,0 +1,51 @@
+/// What tests of the built program share.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/process.hpp"
+#include "base/source_tree.hpp"
+#include "tests/program_path.hpp"
+
+namespace crawford {
+
+inline const std::string scenes = source_path("cases/scenes/").string();
+
+inline Finished crawford(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), program_path());
+    return run_program(arguments);
+}
+
+/// Refused as wrong input, in one line that contains `message`.
+inline void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
+    const Finished run = crawford(arguments);
+    EXPECT_EQ(run.status, 2) << run.output;
+    EXPECT_THAT(run.output, testing::HasSubstr(message));
+    EXPECT_THAT(run.output, testing::StartsWith("crawford: "));
+    EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
+}
+
+/// A directory of the test's own, which does not exist yet.
+class ProgramTest : public testing::Test {
+protected:
+    ProgramTest() { std::filesystem::remove_all(out_); }
+    void TearDown() override { std::filesystem::remove_all(out_); }
+
+    std::string out() const { return out_.string(); }
+
+    static std::filesystem::path own_directory() {
+        const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+        return std::filesystem::path(testing::TempDir()) /
+               (std::string("crawford_") + test->test_suite_name() + '_' + test->name());
+    }
+
+    const std::filesystem::path out_ = own_directory();
+};
+
+}  // namespace crawford
