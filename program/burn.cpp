@@ -110,7 +110,7 @@ int burn(const BurnSceneOptions& options, const CommandLine& command) {
     if (options.timing) std::cout << timing_table(outcome.timing, outcome.seconds, outcome.steps);
     tell(outcome, files);
     if (!outcome.interrupted) return exit_code::done;
-    std::cout << "go on with: " << command_that_goes_on(command, outcome) << '\n';
+    std::cout << "go on with: " << command_that_goes_on(command, outcome) << std::endl;
     return exit_code_of(interrupt.signal());
 }
 

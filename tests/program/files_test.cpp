@@ -135,9 +135,10 @@ TEST_F(ProgramFiles, SharesNoFolderWithAnotherRun) {
 
 TEST_F(ProgramFiles, LeavesOffInGoodOrder) {
     for (const auto& [signal, status] : {std::pair{"INT", 130}, {"TERM", 143}}) {
+        fs::remove_all(out_);
         const Finished run =
-            run_program({"timeout", "--preserve-status", "-s", signal, "2", program_path(), "burn",
-                         scenes + "sandwich.toml", "--quiet", "--out", out()});
+            signalled(signal, "grep -q ',' " + out() + "/sandwich_history.csv",
+                      {"burn", scenes + "sandwich.toml", "--quiet", "--out", out()});
         EXPECT_EQ(run.status, status) << run.output;
         const auto manifest = nlohmann::json::parse(std::ifstream(out_ / "manifest.json"));
         EXPECT_EQ(manifest.at("outcome"), "interrupted");
@@ -149,11 +150,14 @@ TEST_F(ProgramFiles, LeavesOffInGoodOrder) {
 }
 
 TEST_F(ProgramFiles, KeepsWhatIsDoneOfStudies) {
-    const Finished run =
-        run_program({"timeout", "--preserve-status", "-s", "INT", "1", program_path(), "verify",
-                     "sandwich-orders", "--quiet", "--out", out()});
-    EXPECT_EQ(run.status, 130) << run.output;
-    EXPECT_THAT(run.output, HasSubstr("verify sandwich-orders --quiet --out " + out()));
+    const std::string file = out() + "/records/sandwich-orders.jsonl";
+    for (const auto& [signal, status] : {std::pair{"INT", 130}, {"TERM", 143}}) {
+        fs::remove_all(out_);
+        const Finished run = signalled(signal, "ls " + file,
+                                       {"verify", "sandwich-orders", "--quiet", "--out", out()});
+        EXPECT_EQ(run.status, status) << run.output;
+        EXPECT_THAT(run.output, HasSubstr("verify sandwich-orders --quiet --out " + out()));
+    }
 }
 
 TEST_F(ProgramFiles, RefusesANameThatIsNotUtf8) {

@@ -31,6 +31,20 @@ inline void expect_refused(const std::vector<std::string>& arguments, const std:
     EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
 }
 
+/// The program, sent `signal` once the shell command `there` succeeds: a wait for what it writes,
+/// not for a time, since a busy machine may take seconds to start it.
+inline Finished signalled(const std::string& signal, const std::string& there,
+                          const std::vector<std::string>& arguments) {
+    std::vector<std::string> command{
+        "sh", "-c",
+        "\"$@\" & child=$!; until " + there +
+            " >/dev/null 2>&1; do kill -0 $child || break; sleep 0.05; done; kill -" + signal +
+            " $child; wait $child",
+        "sh", program_path()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return run_program(command);
+}
+
 /// A directory of the test's own, which does not exist yet.
 class ProgramTest : public testing::Test {
 protected:
