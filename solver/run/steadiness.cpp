@@ -18,7 +18,6 @@ constexpr double share_of_relaxation = 0.01;
 Steadiness::Steadiness(const Scene& scene)
     : physics_(scene.physics),
       tolerance_(scene.time.until_steady),
-      step_(scene.time.step),
       diffusivity_(largest_diffusivity(scene.morphology.materials)) {}
 
 double Steadiness::watched(const Summary& summary) const {
@@ -40,19 +39,24 @@ double Steadiness::window_length(const Summary& summary) const {
 }
 
 bool Steadiness::at_rest(double length) const {
-    // Half a step of grace: times are sums of steps.
-    const double covered = window_.back().time - window_.front().time;
-    if (covered < length - 0.5 * step_) return false;
+    if (!covers(window_.front(), length)) return false;
     const auto [low, high] = std::ranges::minmax_element(window_, {}, &Sample::value);
     const double change = high->value - low->value;
     return change <= *tolerance_ * 0.5 * std::abs(high->value + low->value);
+}
+
+/// Whether so long has passed since a sample.
+bool Steadiness::covers(const Sample& sample, double length) const {
+    constexpr double rounding = 1e-9;  // times are sums of steps
+    return window_.back().time - sample.time >= length * (1.0 - rounding);
 }
 
 void Steadiness::record(const State& state, const Summary& summary) {
     if (!tolerance_) return;
     window_.push_back({state.time, watched(summary)});
     const double length = window_length(summary);
-    while (window_.front().time < state.time - length - 0.5 * step_) window_.pop_front();
+    // The oldest is the last that is far enough back: steps may have any lengths.
+    while (window_.size() > 1 && covers(window_[1], length)) window_.pop_front();
     reached_ = at_rest(length) && started(state, summary);
 }
 

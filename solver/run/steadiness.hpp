@@ -44,10 +44,10 @@ private:
     bool started(const State& state, const Summary& summary) const;
     double window_length(const Summary& summary) const;
     bool at_rest(double length) const;
+    bool covers(const Sample& sample, double length) const;
 
     Physics physics_;
     std::optional<double> tolerance_;
-    double step_;         ///< [s]
     double diffusivity_;  ///< largest of the materials [m^2/s]
     std::deque<Sample> window_;
     bool reached_ = false;

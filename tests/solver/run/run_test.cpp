@@ -209,6 +209,24 @@ TEST_F(OutputRun, WatchesTheTemperatureWhereTheRateIsPrescribed) {
     EXPECT_NEAR(double(steady_step(scene, [](double) { return rate; })), 506.0, 1.0);
 }
 
+// The steps that a run chooses are no multiples of the first, nor of a millisecond.
+TEST_F(OutputRun, StepsOfAnyLengthLookBackAsFar) {
+    Scene scene = burning(1e-4);
+    scene.time.step = 1e-6;
+    Steadiness steadiness(scene);
+    State state;
+    state.surface = {0.0};
+    while (!steadiness.reached() && state.time < 0.2) {
+        const double length = state.time == 0.0 ? 1e-6 : 2.3e-4;
+        Summary summary;
+        summary.mean_burn_rate = rate * (1.0 - std::exp(-state.time / 10e-3));
+        state.time += length;
+        state.surface[0] -= length * summary.mean_burn_rate;
+        steadiness.record(state, summary);
+    }
+    EXPECT_NEAR(state.time, 69.6e-3, 2.0e-3) << "looks back up to a step further than 1 ms";
+}
+
 TEST_F(OutputRun, IsNeverSteadyWhereNobodyAsks) {
     Scene scene = burning(1e-6);
     scene.time.until_steady.reset();
