@@ -76,6 +76,12 @@ std::string in_words(const FailureFields& fields) {
     return line;
 }
 
+NumericalFailure because_of(const NumericalFailure& failure, const std::string& cause) {
+    FailureFields fields = failure.fields();
+    fields.advice = "likely because of " + cause;
+    return NumericalFailure(std::move(fields));
+}
+
 NumericalFailure with_advice(const NumericalFailure& failure, const std::string& advice) {
     FailureFields fields = failure.fields();
     fields.advice = fields.advice.empty() ? advice : fields.advice + "; " + advice;

@@ -74,6 +74,9 @@ private:
     FailureFields fields_;
 };
 
+/// The same failure where its likely cause is known: that, in place of what is advised without.
+NumericalFailure because_of(const NumericalFailure& failure, const std::string& cause);
+
 /// The same failure with one thing more to advise.
 NumericalFailure with_advice(const NumericalFailure& failure, const std::string& advice);
 

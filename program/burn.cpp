@@ -36,8 +36,8 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
         outcome.summary.largest_strain, outcome.step, outcome.seconds, files.directory.string());
     if (outcome.chosen)
         std::cout << fmt::format(
-            "steps of {:.3g} to {:.3g} us; tried again, shorter: {} for their error, {} that "
-            "failed\n",
+            "steps of {:.3g} to {:.3g} us; tried again, shorter: {} for their error or a row crossed, "
+            "{} that failed\n",
             outcome.chosen->shortest * 1e6, outcome.chosen->longest * 1e6, outcome.chosen->rejected,
             outcome.chosen->failed);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/heat/heat_step.hpp"
 
@@ -28,26 +29,28 @@ double share_of_reaction(const Scene& scene, const Material& m, const SteadySlab
 
 std::optional<Guard> burning_solution(const Scene& scene, size_t number, const SlabAnswer& answer) {
     const Material& m = scene.morphology.materials[number];
-    if (answer.burning == Burning::too_cold)
-        return Guard{
-            .name = "surface_temperature",
-            .value = scene.bottom.temperature,
-            .limit = scene.bottom.temperature,
-            .beyond = Beyond::refusal,
-            .text = fmt::format(
-                "no burning solution: as cold as the bottom, pyrolysis of {0} absorbs more than "
-                "surface.heat_flux brings, so its surface would be colder; raise "
-                "materials.{0}.activation_temperature or lower its pyrolysis_prefactor",
-                m.name)};
-    if (answer.burning == Burning::too_hot)
-        return Guard{.name = "surface_temperature",
-                     .value = hottest_surface,
-                     .limit = hottest_surface,
-                     .beyond = Beyond::refusal,
-                     .text = fmt::format("no burning solution: to carry off surface.heat_flux the "
-                                         "surface of {} would have to be hotter than this; lower "
-                                         "the flux or let it burn faster",
-                                         m.name)};
+    Guard guard{.name = "surface_temperature",
+                .value = answer.slab.surface_temperature,
+                .limit = scene.bottom.temperature,
+                .is_least = true,
+                .beyond = Beyond::refusal};
+    if (answer.burning == Burning::too_cold) {
+        guard.text = fmt::format(
+            "no burning solution: as cold as the bottom, pyrolysis of {0} absorbs more than "
+            "surface.heat_flux brings, so its surface would be colder; raise "
+            "materials.{0}.activation_temperature or lower its pyrolysis_prefactor",
+            m.name);
+        return guard;
+    }
+    if (answer.burning == Burning::too_hot) {
+        guard.limit = hottest_surface;
+        guard.is_least = false;
+        guard.text = fmt::format(
+            "no burning solution: to carry off surface.heat_flux the surface of {} would have to "
+            "be this hot; lower the flux or let it burn faster",
+            m.name);
+        return guard;
+    }
     return std::nullopt;
 }
 
@@ -79,15 +82,22 @@ double front_limit(const Scene& scene, const Grid& grid, const Material& m,
     return bare * (1.0 - z * share_of_reaction(scene, m, slab) / l) / (1.0 - 1.0 / l);
 }
 
-Guard front_coupling(const Scene& scene, const Grid& grid, const Material& m,
-                     const SteadySlab& slab) {
-    const double z = sensitivity(scene, m, slab);
-    const double stable = front_limit(scene, grid, m, slab);
+Guard front_coupling(double number) {
     // Measured: a slab of AP has burnt 0.8 % too far in 40 ms at 0.54, 0.4 % at 0.27.
     constexpr double followed = 0.5;
-    Guard guard{.name = "front_coupling",
-                .value = slab.burn_rate * slab.burn_rate * z * scene.time.step / m.diffusivity(),
-                .limit = followed};
+    return {.name = "front_coupling", .value = number, .limit = followed};
+}
+
+double front_coupling_number(const Scene& scene, const Material& m, const SteadySlab& burning,
+                             double dt) {
+    return burning.burn_rate * burning.burn_rate * sensitivity(scene, m, burning) * dt /
+           m.diffusivity();
+}
+
+Guard front_coupling(const Scene& scene, const Grid& grid, const Material& m,
+                     const SteadySlab& slab) {
+    const double stable = front_limit(scene, grid, m, slab);
+    Guard guard = front_coupling(front_coupling_number(scene, m, slab, scene.time.step));
     if (guard.value <= *guard.limit) return guard;
     const double fine = *guard.limit / guard.value * scene.time.step;
     if (guard.value > stable) {
@@ -105,6 +115,24 @@ Guard front_coupling(const Scene& scene, const Grid& grid, const Material& m,
         "us or less",
         m.name, rounded_down(1e6 * fine));
     return guard;
+}
+
+double predicted_slope(const Scene& scene, double regression_rate) {
+    // Slower materials hang on the one that burns at the regression rate where the surface is
+    // coolest: there the interface rests (docs/theory.md, "The front").
+    double coolest = std::numeric_limits<double>::infinity();
+    const auto temperature = [&](const Material& m) {
+        return m.activation_temperature / std::log(m.pyrolysis_prefactor / regression_rate);
+    };
+    for (const Material& m : scene.morphology.materials)
+        if (regression_rate < m.pyrolysis_prefactor) coolest = std::min(coolest, temperature(m));
+    double steepest = 0.0;
+    for (const Material& m : scene.morphology.materials) {
+        const double own = m.pyrolysis_prefactor * std::exp(-m.activation_temperature / coolest);
+        const double lead = std::max(regression_rate / own, 1.0);
+        steepest = std::max(steepest, std::sqrt(lead * lead - 1.0));
+    }
+    return steepest;
 }
 
 Guard slope(double largest) {

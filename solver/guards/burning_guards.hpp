@@ -25,9 +25,18 @@ Guard onset(const Scene& scene, const Material& material, const SteadySlab& slab
 double front_limit(const Scene& scene, const Grid& grid, const Material& material,
                    const SteadySlab& slab);
 
+/// N of a material that burns so, in a step of dt [s].
+double front_coupling_number(const Scene& scene, const Material& material,
+                             const SteadySlab& burning, double dt);
+
 /// N against 0.5, beyond which ignition is no longer followed; refused beyond front_limit.
 Guard front_coupling(const Scene& scene, const Grid& grid, const Material& material,
                      const SteadySlab& slab);
+Guard front_coupling(double number);  ///< as it is met: only told
+
+/// Slope of the slowest material beside an interface that recedes at this rate [m/s]:
+/// r sqrt(1 + p^2) = V at the temperature at which another burns at V level.
+double predicted_slope(const Scene& scene, double regression_rate);
 
 /// Largest slope of the surface.
 Guard slope(double largest);

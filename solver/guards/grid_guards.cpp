@@ -72,16 +72,22 @@ Guard layers_in_window(const Scene& scene, const Material& material, double burn
     return guard;
 }
 
-Guard fourier(const Scene& scene, const Grid& grid, const Material& material) {
+double fourier_number(const Grid& grid, const Material& material, double dt) {
+    const double height = lowest_row(grid);
+    return material.diffusivity() * dt / (height * height);
+}
+
+Guard fourier(double number) {
     // From here on a zigzag keeps 0.9 of itself in a step and turns its sign (heat_step.hpp); in a
     // hundred steps nothing is left.
     constexpr double ringing = 9.5;
-    constexpr double forgotten = 100.0;
-    const double height = lowest_row(grid);
-    Guard guard{.name = "fourier",
-                .value = material.diffusivity() * scene.time.step / (height * height),
-                .limit = ringing};
-    const bool rings = scene.time.scheme == Stepping::euler && guard.value > ringing;
+    return {.name = "fourier", .value = number, .limit = ringing};
+}
+
+Guard fourier(const Scene& scene, const Grid& grid, const Material& material) {
+    constexpr double forgotten = 100.0;  // steps
+    Guard guard = fourier(fourier_number(grid, material, scene.time.step));
+    const bool rings = scene.time.scheme == Stepping::euler && guard.value > *guard.limit;
     if (!rings || scene.time.end / scene.time.step >= forgotten) return guard;
     guard.beyond = Beyond::remark;
     guard.text =

@@ -21,6 +21,8 @@ Guard layers_in_window(const Scene& scene, const Material& material, double burn
 
 /// D dt/h^2 in the finest cells, and how long a step remembers a zigzag.
 Guard fourier(const Scene& scene, const Grid& grid, const Material& material);
+double fourier_number(const Grid& grid, const Material& material, double dt);
+Guard fourier(double number);  ///< as it is met: only told
 
 /// What a sweep of the line relaxation leaves, (2 a/(1 + 2 a))^2 with a = D dt/dx^2 times the
 /// implicit share.

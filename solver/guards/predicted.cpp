@@ -38,6 +38,13 @@ void add_worst(Guards& guards, Guard guard) {
         *same = std::move(guard);
 }
 
+/// As it is, whatever its limit: narrow strips are less steep than what is predicted of wide ones.
+Guard told(Guard guard) {
+    guard.beyond = Beyond::nothing;
+    guard.text.clear();
+    return guard;
+}
+
 /// \returns whether it burns steadily.
 bool add_burning(Guards& guards, const Scene& scene, const Grid& grid, const Part& part) {
     const double rate = part.burn_rate();
@@ -50,6 +57,12 @@ bool add_burning(Guards& guards, const Scene& scene, const Grid& grid, const Par
     add_worst(guards, cell_peclet(grid, part.material, rate));
     add_worst(guards, undershoot(deepest_undershoot(scene, grid, part.material, part.answer.slab)));
     add_worst(guards, front_coupling(scene, grid, part.material, part.answer.slab));
+    if (scene.physics.regression == Regression::pyrolysis)
+        add_worst(guards, alternation(0.0));  // or front_coupling refuses it
+    if (scene.physics.mechanics && grid.cell_columns() > 1)
+        // A slab expands towards the surface alone; beside another material also sideways.
+        add_worst(guards, crossing_x(speed_of_expansion(scene, part.material, part.answer.slab) *
+                                     scene.time.step / narrowest_column(grid)));
     return true;
 }
 
@@ -87,8 +100,10 @@ Guards predicted(const Scene& scene) {
             for (const Material& material : scene.morphology.materials)
                 add_worst(guards, layers_in_window(scene, material, fastest));
         guards.push_back(predicted_crossing_y(scene, grid, fastest));
-        if (grid.cell_columns() > 1)
-            guards.push_back(front_crossing(fastest * scene.time.step / narrowest_column(grid)));
+        if (grid.cell_columns() == 1) return guards;
+        guards.push_back(front_crossing(fastest * scene.time.step / narrowest_column(grid)));
+        if (scene.physics.regression == Regression::pyrolysis)
+            guards.push_back(told(slope(predicted_slope(scene, fastest))));
     }
     return guards;
 }

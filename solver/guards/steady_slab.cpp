@@ -1,6 +1,7 @@
 #include "solver/guards/steady_slab.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace crawford {
 
@@ -54,23 +55,34 @@ private:
     CoupledSolid solid_;
 };
 
+/// Where between two temperatures nothing is lacking: at the lower one something is.
+double root_between(const Balance& balance, double low, double high) {
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (balance.lacking(middle) >= 0.0 ? high : low) = middle;
+    }
+    return high;
+}
+
 /// The coolest surface above `cold` that lacks nothing. An exothermic one may have several.
 std::optional<double> coolest_root(const Balance& balance, double cold) {
     constexpr int parts = 400;
     double low = cold;
     for (int k = 1; k <= parts; ++k) {
-        double high = cold * std::pow(hottest_surface / cold, double(k) / parts);
-        if (!(balance.lacking(high) >= 0.0)) {
-            low = high;
-            continue;
-        }
-        for (int halving = 0; halving < 60; ++halving) {
-            const double middle = 0.5 * (low + high);
-            (balance.lacking(middle) >= 0.0 ? high : low) = middle;
-        }
-        return high;
+        const double high = cold * std::pow(hottest_surface / cold, double(k) / parts);
+        if (balance.lacking(high) >= 0.0) return root_between(balance, low, high);
+        low = high;
     }
     return std::nullopt;
+}
+
+/// What a surface hotter than all that is looked for would have to be; infinite where none would do.
+double beyond_the_hottest(const Balance& balance) {
+    constexpr double nowhere = 1e12;
+    double low = hottest_surface;
+    for (double high = 2.0 * low; high < nowhere; low = high, high *= 2.0)
+        if (balance.lacking(high) >= 0.0) return root_between(balance, low, high);
+    return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -88,14 +100,25 @@ double heat_capacity(const CoupledSolid& solid, HeatCapacity reading, double tem
     return solid.heat_capacity - solid.split_capacity(temperature);
 }
 
+double speed_of_expansion(const Scene& scene, const Material& material, const SteadySlab& slab) {
+    const double theta =
+        coupled(material, scene.numerics).stress_of_heat / material.uniaxial_modulus();
+    return slab.burn_rate *
+           std::expm1(theta * (slab.surface_temperature - scene.bottom.temperature));
+}
+
 SlabAnswer steady_slab(const Scene& scene, size_t material) {
     const bool burns = scene.physics.heat && scene.physics.regression != Regression::none;
     if (!burns || scene.surface.heat_flux[material] <= 0.0) return {Burning::none, {}};
     const Balance balance(scene, material);
-    if (balance.lacking(scene.bottom.temperature) > 0.0) return {Burning::too_cold, {}};
-    const auto surface = coolest_root(balance, scene.bottom.temperature);
-    if (!surface) return {Burning::too_hot, {}};
-    return {Burning::steady, {*surface, balance.rate(*surface)}};
+    const auto answer = [&](Burning burning, double surface) {
+        return SlabAnswer{burning, {surface, balance.rate(surface)}};
+    };
+    const double cold = scene.bottom.temperature;
+    if (balance.lacking(cold) > 0.0)
+        return answer(Burning::too_cold, root_between(balance, 0.0, cold));
+    if (const auto surface = coolest_root(balance, cold)) return answer(Burning::steady, *surface);
+    return answer(Burning::too_hot, beyond_the_hottest(balance));
 }
 
 }  // namespace crawford

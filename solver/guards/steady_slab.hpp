@@ -34,11 +34,14 @@ enum class Burning {
 
 struct SlabAnswer {
     Burning burning;
-    SteadySlab slab;  ///< of a steady one
+    SteadySlab slab;  ///< also where it is too cold or too hot; not where nothing burns
 };
 
 /// \param material of the scene's morphology, by its number
 SlabAnswer steady_slab(const Scene& scene, size_t material);
+
+/// By how much faster than r_b the solid moves at the heated surface [m/s], r_b (exp(theta D) - 1).
+double speed_of_expansion(const Scene& scene, const Material& material, const SteadySlab& slab);
 
 /// What the coupling of a material is made of; its heat capacity is c_p's.
 CoupledSolid coupled(const Material& material, const Numerics& numerics);

@@ -35,10 +35,33 @@ void check_coupling(const Simulation& simulation, double coupling) {
                        : "take the same numerics.stress_work as numerics.thermal_stress"});
 }
 
+template <class Judge>
+Guard worst_of(const Scene& scene, Judge judge) {
+    const std::vector<Material>& materials = scene.morphology.materials;
+    Guard worst = judge(materials.front());
+    Guard other = judge(materials.back());
+    return is_worse(other, worst) ? other : worst;
+}
+
+const Material& with_largest_diffusivity(const Scene& scene) {
+    return *std::ranges::max_element(scene.morphology.materials, {}, &Material::diffusivity);
+}
+
+/// Of the material that follows its burning worst.
+double largest_front_coupling(const Simulation& simulation, const Summary& summary) {
+    const Scene& scene = simulation.scene();
+    const SteadySlab burning{summary.largest_temperature, summary.mean_burn_rate};
+    double largest = 0.0;
+    for (const Material& m : scene.morphology.materials)
+        largest =
+            std::max(largest, front_coupling_number(scene, m, burning, simulation.state().length));
+    return largest;
+}
+
 }  // namespace
 
 std::optional<Guard> Worst::meet(double value) {
-    if (!(value > value_)) return std::nullopt;
+    if (!(worst_ == Is::largest ? value > value_ : value < value_)) return std::nullopt;
     value_ = value;
     if (told_) return std::nullopt;
     Guard guard = judge_(value);
@@ -47,32 +70,26 @@ std::optional<Guard> Worst::meet(double value) {
 }
 
 Watch::Watch(const Simulation& simulation)
-    : narrowest_(narrowest_column(simulation.grid())), surface_(simulation.state().surface) {
-    const Grid& grid = simulation.grid();
-    rows_in_a_metre_.resize(size_t(grid.rows()) + 1);
-    for (int j = 0; j <= grid.rows(); ++j)
-        rows_in_a_metre_[size_t(j)] = 1.0 / std::min(grid.height(std::max(j - 1, 0)),
-                                                     grid.height(std::min(j, grid.rows() - 1)));
-    watch(simulation.scene(), grid);
+    : crossing_(simulation.grid()),
+      narrowest_(narrowest_column(simulation.grid())),
+      surface_(simulation.state().surface),
+      diffusivity_(largest_diffusivity(simulation.scene().morphology.materials)) {
+    watch(simulation.scene(), simulation.grid());
 }
 
 void Watch::watch(const Scene& scene, const Grid& grid) {
     const auto add = [&](const char* name, Worst::Judge judge) {
-        worst_.emplace(name, std::move(judge));
+        worst_.emplace(name, Worst(std::move(judge)));
     };
+    if (scene.physics.heat) watch_heat(scene, grid);
     if (scene.physics.heat && scene.physics.mechanics)
         add("coupling", [limit = coupling_limit(scene.time.scheme)](double value) {
             return Guard{.name = "coupling", .value = value, .limit = limit};
         });
-    if (scene.physics.heat) {
-        add("undershoot", undershoot);
-        add("relaxation", [scene](double value) { return relaxation(value, scene); });
-        add("cell_peclet", [scene, grid](double burn_rate) {
-            Guard worst = cell_peclet(grid, scene.morphology.materials.front(), burn_rate);
-            Guard other = cell_peclet(grid, scene.morphology.materials.back(), burn_rate);
-            return is_worse(other, worst) ? other : worst;
+    if (scene.physics.mechanics)
+        add("pressing", [scene, grid](double) {
+            return worst_of(scene, [&](const Material& m) { return pressing(scene, grid, m); });
         });
-    }
     if (scene.physics.regression == Regression::pyrolysis) add("alternation", alternation);
     add("crossing_y", crossing_y);
     if (grid.cell_columns() == 1) return;
@@ -81,28 +98,33 @@ void Watch::watch(const Scene& scene, const Grid& grid) {
     add("slope", slope);
 }
 
-Watch::Crossed Watch::crossed(const Simulation& simulation, const Summary& summary) {
-    const Grid& grid = simulation.grid();
-    const State& state = simulation.state();
-    const double dt = state.length;
-    Crossed worst;
-    for (int i = 0; i < grid.node_columns(); ++i) {
-        const double fall = surface_[size_t(i)] - state.surface[size_t(i)];
-        worst.rows = std::max(worst.rows, std::abs(fall) * rows_in_a_metre_.back());
-        if (state.velocity.empty()) continue;
-        const double across = dt / narrowest_;
-        for (int j = 0; j <= grid.rows(); ++j) {
-            const Vector& v = state.velocity(i, j);
-            worst.columns = std::max(worst.columns, std::abs(v.x()) * across);
-            worst.rows =
-                std::max(worst.rows, std::abs(v.y() * dt + fall) * rows_in_a_metre_[size_t(j)]);
-        }
-    }
-    worst.slope = largest_slope(grid, state.surface);
-    worst.of_surface =
-        summary.mean_burn_rate * dt / narrowest_ * worst.slope / std::hypot(1.0, worst.slope);
-    surface_ = state.surface;
-    return worst;
+void Watch::watch_heat(const Scene& scene, const Grid& grid) {
+    worst_.emplace("undershoot", Worst(undershoot));
+    worst_.emplace("relaxation", Worst([scene](double value) { return relaxation(value, scene); }));
+    worst_.emplace("cell_peclet", Worst([scene, grid](double burn_rate) {
+                       return worst_of(scene, [&](const Material& m) {
+                           return cell_peclet(grid, m, burn_rate);
+                       });
+                   }));
+    worst_.emplace("fourier", Worst([scene, grid](double dt) {
+                       return fourier(fourier_number(grid, with_largest_diffusivity(scene), dt));
+                   }));
+    if (scene.physics.regression == Regression::none) return;
+    worst_.emplace("front_coupling", Worst([](double number) { return front_coupling(number); }));
+    worst_.emplace("layers_in_window", Worst(
+                                           [scene](double burn_rate) {
+                                               return layers_in_window(
+                                                   scene, with_largest_diffusivity(scene),
+                                                   burn_rate);
+                                           },
+                                           Worst::Is::least));
+}
+
+/// A layer is D/r_b thick, or as thick as it has grown: after t, exp(-5) of the rise is left where
+/// erfc(y/(2 sqrt(D t))) is, at 3.84 sqrt(D t).
+double Watch::slowest_move(const State& state, double burn_rate) const {
+    constexpr double depth_of_growth = 3.84, layers = 5.0;
+    return std::max(burn_rate, layers / depth_of_growth * std::sqrt(diffusivity_ / state.time));
 }
 
 /// The least of the last turns, if there was nothing but turns.
@@ -132,18 +154,26 @@ Guards Watch::record(const Simulation& simulation, const Summary& summary) {
     meet("relaxation", numbers.contraction);
     meet("undershoot", simulation.scene().bottom.temperature - summary.least_temperature);
     meet("cell_peclet", summary.mean_burn_rate);
+    meet("fourier", simulation.state().length);
+    meet("front_coupling", largest_front_coupling(simulation, summary));
+    meet("layers_in_window", slowest_move(simulation.state(), summary.mean_burn_rate));
     meet("alternation", turning(summary.mean_burn_rate));
-    const Crossed cells = crossed(simulation, summary);
+    const State& state = simulation.state();
+    const Crossed cells = crossing_.of(surface_, state);
+    surface_ = state.surface;
     meet("crossing_y", cells.rows);
     meet("crossing_x", cells.columns);
-    meet("front_crossing", cells.of_surface);
-    meet("slope", cells.slope);
+    const double slope = largest_slope(simulation.grid(), state.surface);
+    meet("slope", slope);
+    meet("front_crossing",
+         summary.mean_burn_rate * state.length / narrowest_ * slope / std::hypot(1.0, slope));
     return told;
 }
 
 Guards Watch::met() const {
     Guards met;
-    for (const auto& [name, worst] : worst_) met.push_back(worst.guard());
+    for (const auto& [name, worst] : worst_)
+        if (worst.is_met()) met.push_back(worst.guard());
     return met;
 }
 

@@ -1,9 +1,12 @@
 /// The worst that a run meets of the numbers by which it is judged.
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 
+#include "solver/guards/crossed.hpp"
 #include "solver/guards/guard.hpp"
 #include "solver/step/simulation.hpp"
 
@@ -13,16 +16,22 @@ namespace crawford {
 class Worst {
 public:
     using Judge = std::function<Guard(double)>;
+    enum class Is { largest, least };
 
-    explicit Worst(Judge judge) : judge_(std::move(judge)) {}
+    explicit Worst(Judge judge, Is worst = Is::largest)
+        : judge_(std::move(judge)),
+          worst_(worst),
+          value_(worst == Is::least ? std::numeric_limits<double>::infinity() : 0.0) {}
 
     /// \returns the number, when it is for the first time beyond its limit.
     std::optional<Guard> meet(double value);
     Guard guard() const { return judge_(value_); }
+    bool is_met() const { return std::isfinite(value_); }
 
 private:
     Judge judge_;
-    double value_ = 0.0;
+    Is worst_;
+    double value_;
     bool told_ = false;
 };
 
@@ -40,21 +49,16 @@ public:
     Guards met() const;
 
 private:
-    /// What is crossed in one step.
-    struct Crossed {
-        double columns = 0.0, rows = 0.0;  ///< by the solid
-        double of_surface = 0.0;           ///< columns, by a slope of the surface
-        double slope = 0.0;
-    };
-
-    Crossed crossed(const Simulation& simulation, const Summary& summary);
     double turning(double burn_rate);
     void watch(const Scene& scene, const Grid& grid);
+    void watch_heat(const Scene& scene, const Grid& grid);
+    double slowest_move(const State& state, double burn_rate) const;
 
-    std::vector<double> rows_in_a_metre_;  ///< at each node row, by the lower cell beside it [1/m]
-    double narrowest_;                     ///< column [m]
-    SurfaceField surface_;                 ///< before the step
-    std::vector<double> burn_rates_;       ///< of the last steps
+    Crossing crossing_;
+    double narrowest_;                                 ///< column [m]
+    SurfaceField surface_;                             ///< before the step
+    std::vector<double> burn_rates_;                   ///< of the last steps
+    double diffusivity_;                               ///< largest of the materials [m^2/s]
     std::map<std::string, Worst, std::less<>> worst_;  ///< of what the scene can meet
 };
 

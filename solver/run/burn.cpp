@@ -127,8 +127,16 @@ private:
         run_until(simulation_, *steps_, ended, {summarise, record, show});
     }
 
+    /// A number beyond its limit says more than the place where a run has ended of it.
+    NumericalFailure explained(const NumericalFailure& failure) const {
+        for (const Guards& known : {manifest_.predicted, watch_.met()})
+            for (const Guard& beyond : remarks(known)) return because_of(failure, in_words(beyond));
+        return failure;
+    }
+
     /// Keeps the last good state and says where.
-    [[noreturn]] void give_up(Recorder& recorder, const NumericalFailure& failure) {
+    [[noreturn]] void give_up(Recorder& recorder, const NumericalFailure& ended) {
+        const NumericalFailure failure = explained(ended);
         std::string kept;
         try {
             kept =

@@ -37,7 +37,7 @@ ChosenSteps::ChosenSteps(const Scene& scene, const Grid& grid)
     : time_(scene.time),
       snapshots_every_(scene.output.snapshots_every),
       error_(scene, grid),
-      lowest_row_(lowest_row(grid)),
+      crossing_(grid),
       next_(scene.time.step),
       ceiling_(ceiling(scene.surface)),
       limit_(ceiling_) {}
@@ -65,22 +65,16 @@ bool ChosenSteps::try_step(Simulation& simulation, const Span& span, int trials)
         return false;
     }
     const double error = error_.of(before, simulation.state()) / *time_.accuracy;
-    if (error > little_more && trials < most_trials) {
+    const double rows = crossing_.of(before.surface, simulation.state()).rows;
+    if ((error > little_more || rows > 1.0) && trials < most_trials) {
         ++count_.rejected;
-        next_ = span.length * change_for(error);
+        next_ = span.length * std::min(change_for(error), rows > 1.0 ? caution / rows : 1.0);
         simulation.restore(std::move(before));
         return false;
     }
     error_.accept(before, simulation.state());
-    accept(span.length, error, rows_burnt(before, simulation.state()));
+    accept(span.length, error, rows);
     return true;
-}
-
-double ChosenSteps::rows_burnt(const State& before, const State& after) const {
-    double deepest = 0.0;
-    for (size_t i = 0; i < after.surface.size(); ++i)
-        deepest = std::max(deepest, std::abs(after.surface[i] - before.surface[i]));
-    return deepest / lowest_row_;
 }
 
 double ChosenSteps::change_for(double error) const {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/errors.hpp"
+#include "solver/guards/crossed.hpp"
 #include "solver/run/step_error.hpp"
 #include "solver/run/steps.hpp"
 
@@ -11,8 +12,9 @@ namespace crawford {
 
 /// A step is taken where it adds less than time.accuracy of error (step_error.hpp); else it is
 /// tried again, shorter. The next one is as long as the error of this one lets it be. A step that
-/// fails is tried again as well: where a number is beyond its limit, by that much shorter. The next one
-/// is planned to burn no more than 0.85 of the lowest row: what is explicit goes not much further.
+/// fails, or in which the solid crosses more than a row, is tried again as well: where a number is
+/// beyond its limit, by that much shorter. The next one is planned to cross no more than 0.85 of a
+/// row: what is explicit goes not much further.
 ///
 /// Steps end at the times of snapshots and at time.end, and before these the way that is left is
 /// shared out evenly. Checkpoints shorten none: a run does not depend on them.
@@ -41,17 +43,15 @@ private:
     bool try_step(Simulation& simulation, const Span& span, int trials);
     void shorten(const NumericalFailure& failure, double tried);
     void accept(double length, double error, double rows);
-    /// How many of the lowest rows the surface fell at most.
-    double rows_burnt(const State& before, const State& after) const;
     double change_for(double error) const;
 
     Time time_;
     std::optional<double> snapshots_every_;
     StepError error_;
-    double lowest_row_;  ///< [m]
-    double next_;        ///< [s]
-    double ceiling_;     ///< of all steps [s]
-    double limit_;       ///< below which steps did not fail of late [s]
+    Crossing crossing_;
+    double next_;     ///< [s]
+    double ceiling_;  ///< of all steps [s]
+    double limit_;    ///< below which steps did not fail of late [s]
     StepCount count_;
 };
 

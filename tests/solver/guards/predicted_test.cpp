@@ -74,10 +74,16 @@ TEST(Predicted, ASceneWithoutABurningSolutionIsRefusedWithTheReason) {
     Scene cold = burning_slab(8.368e6);
     cold.morphology.materials[0].activation_temperature = 3000.0;
     EXPECT_THAT(refusal(cold), HasSubstr("its surface would be colder"));
+    EXPECT_NEAR(named(predicted(cold), "surface_temperature").value, 275.0, 1.0);
     Scene slow = burning_slab(8.368e6);
     slow.physics.regression = Regression::fixed;
     slow.surface.burn_rate = 1e-9;
-    EXPECT_THAT(refusal(slow), HasSubstr("hotter than this"));
+    EXPECT_THAT(refusal(slow), HasSubstr("would have to be this hot"));
+    // Q/(rho c r_b), rigid: what flows in is carried off.
+    const Material& ap = slow.morphology.materials[0];
+    const double carried = 300.0 + (8.368e6 / 1e-9 + ap.heat_of_reaction * ap.density) /
+                                       (ap.density * ap.specific_heat);
+    EXPECT_NEAR(named(predicted(slow), "surface_temperature").value / carried, 1.0, 1e-6);
 }
 
 TEST(Predicted, AFrontThatAlternatesIsRefusedAndItsAdviceHelps) {

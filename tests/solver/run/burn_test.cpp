@@ -120,6 +120,16 @@ TEST_F(OutputBurn, ThatFailsKeepsTheLastGoodState) {
     EXPECT_TRUE(manifest_outcome("out").starts_with("failed: step"));
 }
 
+TEST_F(OutputBurn, ThatFailsBeyondALimitNamesItInsteadOfASmallerStep) {
+    Scene runs_away = sandwich();
+    runs_away.physics = {.mechanics = false, .reference_map = false};
+    runs_away.morphology.materials[0].heat_of_reaction = 2e6;  // beyond its onset
+    runs_away.time.end = 20e-3;
+    const auto message = message_of<NumericalFailure>([&] { burn(runs_away, options("out")); });
+    EXPECT_NE(message.find("likely because of onset = "), std::string::npos) << message;
+    EXPECT_EQ(message.find("; reduce time.step"), std::string::npos) << message;
+}
+
 TEST_F(OutputBurn, IntoAnUnwritableDirectoryDoesNotBegin) {
     put(directory / "file", "");
     Sources sources;

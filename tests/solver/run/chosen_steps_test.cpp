@@ -104,6 +104,21 @@ TEST(ChosenSteps, AreTriedAgainShorterWhereOneFails) {
     EXPECT_LT(steps.choice()->count.longest, 0.6e-3);
 }
 
+TEST(ChosenSteps, CrossNoMoreThanARow) {
+    Scene scene = rigid_slab();  // nothing fails where stress is not carried
+    scene.time.accuracy = 0.1;
+    Simulation simulation(scene);
+    const Crossing crossing(simulation.grid());
+    SurfaceField before = simulation.state().surface;
+    double most = 0.0;
+    run_to_end(simulation, {[&](const Simulation& now, double) {
+                   most = std::max(most, crossing.of(before, now.state()).rows);
+                   before = now.state().surface;
+               }});
+    EXPECT_GT(most, 0.7) << "or nothing held them";
+    EXPECT_LE(most, 1.0);
+}
+
 TEST(ChosenSteps, FollowAFlameThatSwings) {
     Scene scene = rigid_slab();
     scene.surface.modulation = FluxModulation{.amplitude = 1e-6, .frequency = 1000.0};
