@@ -24,17 +24,16 @@ std::vector<std::string> words_in(const std::string& text) {
 
 /// How far from its own grids a study is run: coarser than a quarter of its coarsest, its pieces
 /// (patches, layers, samples) have no cells of their own; finer than eight times its finest, a run
-/// takes days and all the memory. Where one number stands for all of a grid, its steps and samples
-/// divide the study's own grids and half of them, and would be cut to whole numbers between; an axis
-/// that is named stands for itself alone.
+/// takes days and all the memory. Steps, layers and samples of a grid divide the study's own grids and
+/// half of them, and would be cut to whole numbers between.
 void refuse_out_of_reach(const reports::Study& study, const std::vector<int>& values,
-                         const std::string& typed, bool axis_is_named) {
+                         const std::string& typed) {
     constexpr int coarser = 4;
     constexpr int finer = 8;
     const auto [least, most] = std::ranges::minmax(study.grids());
     int divisor = 0;
     for (const int grid : study.grids()) divisor = std::gcd(divisor, grid);
-    divisor = axis_is_named ? 1 : std::max(1, divisor / 2);
+    divisor = std::max(1, divisor / 2);
     const int smallest = std::max(divisor, least / coarser);
     const long largest = long(most) * finer;
     for (const int value : values)
@@ -111,7 +110,7 @@ std::optional<std::vector<int>> ChosenGrids::of(const reports::Study& study) con
     if (!any()) return {};
     if (!axis_.empty() && study.axis() != axis_) return std::vector<int>{};
     if (named_) {
-        refuse_out_of_reach(study, values_, typed(), !axis_.empty());
+        refuse_out_of_reach(study, values_, typed());
         return values_;
     }
     auto values = study.grids();

@@ -126,9 +126,9 @@ struct Parser {
 
     void add_against() {
         CLI::Option* against =
-            verify_command
-                ->add_option("--against", verify.against,
-                             "List what is gone, new or other than in this earlier verify.json")
+            refuse_empty(verify_command->add_option(
+                             "--against", verify.against,
+                             "List what is gone, new or other than in this earlier verify.json"))
                 ->type_name("FILE");
         verify_command
             ->add_option("--grown", verify.grown,

@@ -36,7 +36,10 @@ TEST_F(ProgramFiles, RefusesGridsThatAStudyCannotRunOn) {
     for (const char* grids : {"1", "31,32", "2000000000"})
         expect_refused({"verify", "heat", "--grids", grids, "--out", out()}, "in multiples of 16");
     expect_refused({"verify", "sandwich-refinement", "--axis", "columns=3", "--out", out()},
-                   "takes columns from 8 to ");
+                   "takes columns from 16 to ");
+    // Its steps are an eighth of its cells.
+    expect_refused({"verify", "coupled", "--axis", "cells=31,47,65", "--out", out()},
+                   "in multiples of ");
     expect_refused({"verify", "heat", "--grids", "0x20", "--out", out()}, "no whole number");
     EXPECT_FALSE(fs::exists(out_));
     const Finished verify = crawford({"verify", one, "--grids", "016", "--out", out()});
@@ -92,6 +95,7 @@ TEST_F(ProgramFiles, RefusesAnEmptyPath) {
     expect_refused({"burn", scenes + "slab.toml", "--restart", ""}, "--restart: is empty");
     expect_refused({"verify", "slab", "--junit", ""}, "--junit: is empty");
     expect_refused({"pack", scenes + "pack.toml", "--out", ""}, "--out: is empty");
+    expect_refused({"verify", one, "--against", "", "--out", out()}, "--against: is empty");
 }
 
 TEST_F(ProgramFiles, SaysWhenItsAnswerCannotBeWritten) {
