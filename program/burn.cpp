@@ -14,6 +14,7 @@
 #include "program/commands.hpp"
 #include "program/interrupt.hpp"
 #include "program/typed_scene.hpp"
+#include "solver/files/checkpoint.hpp"
 #include "solver/guards/predicted.hpp"
 #include "solver/run/timing_table.hpp"
 #include "solver/scene/write_scene.hpp"
@@ -36,7 +37,8 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
         outcome.summary.largest_strain, outcome.step, outcome.seconds, files.directory.string());
     if (outcome.chosen)
         std::cout << fmt::format(
-            "steps of {:.3g} to {:.3g} us; tried again, shorter: {} for their error or a row crossed, "
+            "steps of {:.3g} to {:.3g} us; tried again, shorter: {} for their error or a row "
+            "crossed, "
             "{} that failed\n",
             outcome.chosen->shortest * 1e6, outcome.chosen->longest * 1e6, outcome.chosen->rejected,
             outcome.chosen->failed);
@@ -76,11 +78,18 @@ private:
     std::optional<Progress> line_;
 };
 
+/// A checkpoint of the scene as it is written is gone on from as it is.
+Reduction reduction_of(const Scene& scene, const BurnSceneOptions& options) {
+    const bool goes_on = options.restart && is_checkpoint_of(*options.restart, to_toml(scene));
+    return options.as_written || goes_on ? as_written(scene) : reduced(scene);
+}
+
 }  // namespace
 
 int burn(const BurnSceneOptions& options, const CommandLine& command) {
     const Scene scene = typed_scene(options.scene, options.set);
     if (options.check) return check(scene, options.json);
+    const Reduction reduction = reduction_of(scene, options);
     const std::string name = name_of_scene(options.scene);
     refuse_other_encodings(name);
     const std::filesystem::path folder =
@@ -88,7 +97,7 @@ int burn(const BurnSceneOptions& options, const CommandLine& command) {
     BurnFolder owned(folder);
     refuse_results_of_others(folder, {name, options.scene, to_toml(scene), !options.out.empty()},
                              options.restart.has_value());
-    refuse(predicted(scene));  // before anything of an earlier run is removed
+    refuse(predicted(reduction.scene));  // before anything of an earlier run is removed
     if (!options.restart) remove_results(folder, name);
     const Interrupt interrupt;
     Watch watch;
@@ -106,7 +115,9 @@ int burn(const BurnSceneOptions& options, const CommandLine& command) {
                               std::cerr << "crawford: remark: " << in_words(guard) << '\n';
                           },
                       .interrupted = [&] { return interrupt.signal() != 0; }};
-    const BurnOutcome outcome = burn(scene, files);
+    if (!reduction.left_out.empty() && !options.quiet)
+        std::cerr << "crawford: left out: " << reduction.left_out << "; --as-written burns all\n";
+    const BurnOutcome outcome = burn(reduction, files);
     if (options.timing) std::cout << timing_table(outcome.timing, outcome.seconds, outcome.steps);
     tell(outcome, files);
     if (!outcome.interrupted) return exit_code::done;

@@ -160,6 +160,8 @@ struct Parser {
         refuse_empty(burn_command->add_option("--restart", burn.restart,
                                               "Go on from a checkpoint of this scene"))
             ->type_name("FILE");
+        burn_command->add_flag("--as-written", burn.as_written,
+                               "Compute also what a symmetry or one material in x makes known");
         burn_command->add_flag("--timing", burn.timing, "Print where the time went");
         auto* const check = burn_command->add_flag(
             "--check", burn.check, "Run nothing: print the scene's numbers and their limits");

@@ -63,8 +63,9 @@ struct BurnSceneOptions {
     std::filesystem::path out;     ///< out/<name of the scene> if empty
     std::optional<std::filesystem::path> restart;
     bool timing = false;
-    bool check = false;  ///< only what its numbers will be
-    bool json = false;   ///< those as JSON
+    bool as_written = false;  ///< nothing is left out
+    bool check = false;       ///< only what its numbers will be
+    bool json = false;        ///< those as JSON
     bool quiet = false;
 };
 

@@ -187,6 +187,22 @@ std::optional<StepChoice> read_choice(const Hdf5File& file) {
                                 .longest = numbers[6]}};
 }
 
+Hdf5File open_checkpoint(const std::filesystem::path& path) {
+    Hdf5File file = Hdf5File::open(path);
+    if (!file.contains("/crawford/checkpoint_format"))
+        throw InputError(
+            fmt::format("{} is no checkpoint; give one that `crawford burn` wrote", path.string()));
+    const auto version = read_one<std::int64_t>(file, "/crawford/checkpoint_format");
+    if (version != format_version)
+        throw InputError(fmt::format("{} has checkpoint format {}; this program reads {}",
+                                     path.string(), version, format_version));
+    return file;
+}
+
+std::string scene_of(const Hdf5File& checkpoint) {
+    return checkpoint.text_attribute("/crawford", "scene");
+}
+
 }  // namespace
 
 std::filesystem::path checkpoint_file(const std::filesystem::path& directory,
@@ -209,16 +225,13 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
     file.publish();
 }
 
+bool is_checkpoint_of(const std::filesystem::path& path, const std::string& scene) {
+    return !difference(scene_of(open_checkpoint(path)), scene);
+}
+
 Checkpoint load_checkpoint(const std::filesystem::path& path, const std::string& scene) {
-    const Hdf5File file = Hdf5File::open(path);
-    if (!file.contains("/crawford/checkpoint_format"))
-        throw InputError(
-            fmt::format("{} is no checkpoint; give one that `crawford burn` wrote", path.string()));
-    const auto version = read_one<std::int64_t>(file, "/crawford/checkpoint_format");
-    if (version != format_version)
-        throw InputError(fmt::format("{} has checkpoint format {}; this program reads {}",
-                                     path.string(), version, format_version));
-    if (const auto key = difference(file.text_attribute("/crawford", "scene"), scene))
+    const Hdf5File file = open_checkpoint(path);
+    if (const auto key = difference(scene_of(file), scene))
         throw InputError(
             fmt::format("{} is a checkpoint of another scene: {}; restart with the "
                         "scene it was written for",

@@ -33,6 +33,10 @@ std::filesystem::path checkpoint_file(const std::filesystem::path& directory,
 void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
                      const Provenance& provenance);
 
+/// Whether a run of this scene may go on from it.
+/// \throws InputError if the file is missing, damaged or no checkpoint.
+bool is_checkpoint_of(const std::filesystem::path& path, const std::string& scene);
+
 /// Reads it back.
 /// \throws InputError if the file is missing, damaged or no checkpoint, or was written for another
 /// scene; the message then names the key that differs.

@@ -59,6 +59,7 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
         {"time_seconds", manifest.time},
         {"seeds", manifest.seeds},
         {"scene", manifest.scene},
+        {"left_out", manifest.left_out},
         {"predicted", nlohmann::ordered_json::parse(to_json(manifest.predicted))},
         {"met", nlohmann::ordered_json::parse(to_json(manifest.met))},
         {"remarks",

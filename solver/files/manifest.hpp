@@ -26,6 +26,7 @@ struct Manifest {
     std::string outcome;               ///< "running", "done", "interrupted" or "failed: ..."
     std::vector<std::string> command;  ///< the command line
     std::string scene;                 ///< canonical TOML
+    std::string left_out;              ///< of it, because it changes nothing; may be empty
     std::vector<std::uint64_t> seeds;
     std::optional<std::string> restarted_from;  ///< a checkpoint
     long first_step = 0;

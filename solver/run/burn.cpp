@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "base/atomic_file.hpp"
-#include "base/build_info.hpp"
 #include "base/errors.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/manifest.hpp"
@@ -35,13 +34,16 @@ std::vector<std::uint64_t> seeds_of(const Scene& scene) {
 
 class Run {
 public:
-    Run(const Scene& scene, const BurnOptions& options, const Sources& sources)
+    Run(const Reduction& reduction, const BurnOptions& options, const Sources& sources)
         : options_(options),
-          simulation_(scene, sources),
+          reduction_(reduction),
+          simulation_(reduction.scene, sources),
           steps_(steps_of(simulation_)),
           watch_(simulation_),
-          steadiness_(scene) {
-        manifest_.scene = to_toml(scene);
+          steadiness_(reduction.scene) {
+        const Scene& scene = reduction.scene;
+        manifest_.scene = to_toml(reduction.asked);
+        manifest_.left_out = reduction.left_out;
         manifest_.predicted = predicted(scene);
         refuse(manifest_.predicted);
         if (options.restart) restart(*options.restart);
@@ -55,8 +57,7 @@ public:
     BurnOutcome to_the_end() {
         write("running");
         tell(manifest_.predicted);
-        Recorder recorder(options_.directory, options_.name,
-                          {manifest_.scene, version(), revision()}, simulation_);
+        Recorder recorder(options_.directory, options_.name, reduction_, simulation_);
         try {
             advance(recorder);
         } catch (const NumericalFailure& failure) {
@@ -89,7 +90,7 @@ private:
     }
 
     void restart(const std::filesystem::path& file) {
-        Checkpoint checkpoint = load_checkpoint(file, manifest_.scene);
+        Checkpoint checkpoint = load_checkpoint(file, to_toml(reduction_.scene));
         simulation_.restore(std::move(checkpoint.state));
         watch_ = Watch(simulation_);
         steadiness_.resume(checkpoint.memory.window);
@@ -170,7 +171,7 @@ private:
     }
 
     RunResults results() const {
-        const HistoryRow row = history_row(simulation_, simulation_.summary());
+        const HistoryRow row = history_row(simulation_, simulation_.summary(), reduction_.widening);
         const Scene& scene = simulation_.scene();
         RunResults results{.regression_rate = row.regression_rate,
                            .mean_burn_rate = row.mean_burn_rate,
@@ -196,6 +197,7 @@ private:
     }
 
     const BurnOptions& options_;
+    const Reduction& reduction_;
     Clock::time_point started_ = Clock::now();
     Simulation simulation_;
     std::unique_ptr<Steps> steps_;
@@ -207,8 +209,12 @@ private:
 
 }  // namespace
 
+BurnOutcome burn(const Reduction& reduction, const BurnOptions& options, const Sources& sources) {
+    return Run(reduction, options, sources).to_the_end();
+}
+
 BurnOutcome burn(const Scene& scene, const BurnOptions& options, const Sources& sources) {
-    return Run(scene, options, sources).to_the_end();
+    return burn(as_written(scene), options, sources);
 }
 
 }  // namespace crawford

@@ -10,6 +10,7 @@
 #include "solver/files/step_choice.hpp"
 #include "solver/guards/guard.hpp"
 #include "solver/run/progress.hpp"
+#include "solver/run/reduction.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -44,13 +45,19 @@ struct BurnOutcome {
     std::filesystem::path checkpoint;  ///< of the last state
 };
 
-/// Runs to time.end or until it is steady, and writes history, snapshots, checkpoints and
+/// Runs what is left of a scene to time.end or until it is steady, and writes history, snapshots, checkpoints and
 /// manifest.json. The last state always gets a snapshot and a checkpoint. Prints nothing.
 /// \throws InputError before anything is computed if the checkpoint is not of this scene or the
 /// directory is not writable, or if the scene's numbers are beyond a limit that no answer survives;
 /// later if a file cannot be written.
 /// \throws NumericalFailure if a step fails; snapshot and checkpoint of the last good state are
 /// then written and named.
+///
+/// Checkpoints are of what is computed, everything else of the scene that was asked for.
+BurnOutcome burn(const Reduction& reduction, const BurnOptions& options,
+                 const Sources& sources = {});
+
+/// A scene as it is written.
 BurnOutcome burn(const Scene& scene, const BurnOptions& options, const Sources& sources = {});
 
 }  // namespace crawford

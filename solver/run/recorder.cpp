@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/build_info.hpp"
 #include "solver/run/peak.hpp"
+#include "solver/scene/write_scene.hpp"
 
 namespace crawford {
 
@@ -19,9 +21,14 @@ History open_history(const std::filesystem::path& path, const State& state, int 
     return History::resume(path, due ? state.time : state.time - 0.5 * state.length);
 }
 
+Provenance provenance_of(const Scene& scene) {
+    return {to_toml(scene), version(), revision()};
+}
+
 }  // namespace
 
-HistoryRow history_row(const Simulation& simulation, const Summary& summary) {
+HistoryRow history_row(const Simulation& simulation, const Summary& summary,
+                       const Widening& widening) {
     const State& state = simulation.state();
     HistoryRow row{.time = state.time,
                    .mean_burn_rate = summary.mean_burn_rate,
@@ -34,14 +41,16 @@ HistoryRow history_row(const Simulation& simulation, const Summary& summary) {
                    .largest_slope = largest_slope(simulation.grid(), state.surface),
                    .step = state.length};
     if (state.stress.pressure.empty()) return row;
-    const NodeVectors position = positions(simulation.grid(), state.surface);
-    const CellField material = simulation.material_fraction();
-    const Peak pressure = peak(position, material, state.stress.pressure, peak_radius);
+    const NodeVectors position = widening.places(positions(simulation.grid(), state.surface));
+    const CellField material = widening.cells(simulation.material_fraction());
+    const auto peak_of = [&](const CellField& field) {
+        return peak(position, material, widening.cells(field), peak_radius);
+    };
+    const Peak pressure = peak_of(state.stress.pressure);
     row.largest_pressure = pressure.value;
     row.pressure_about_peak = pressure.mean;
     if (!state.reference_shift.empty())
-        row.strain_about_peak =
-            peak(position, material, simulation.strain_norm(), peak_radius).mean;
+        row.strain_about_peak = peak_of(simulation.strain_norm()).mean;
     return row;
 }
 
@@ -50,15 +59,16 @@ bool is_due(double before, double after, double interval) {
     return std::floor(after / interval + grace) > std::floor(before / interval + grace);
 }
 
-Recorder::Recorder(std::filesystem::path directory, std::string name, Provenance provenance,
+Recorder::Recorder(std::filesystem::path directory, std::string name, const Reduction& reduction,
                    const Simulation& simulation)
     : directory_(std::move(directory)),
       name_(std::move(name)),
-      provenance_(std::move(provenance)),
+      widening_(reduction.widening),
+      computed_(provenance_of(reduction.scene)),
       output_(simulation.scene().output),
       history_(open_history(directory_ / (name_ + "_history.csv"), simulation.state(),
                             output_.history_every)),
-      snapshots_(directory_, name_, provenance_) {
+      snapshots_(directory_, name_, provenance_of(reduction.asked)) {
     if (simulation.state().step > 0)
         snapshots_.resume(simulation.state().time);
     else if (output_.snapshots_every)
@@ -69,7 +79,7 @@ void Recorder::record(Simulation& simulation, const Summary& summary, double bef
                       const RunMemory& memory) {
     const State& state = simulation.state();
     owes_a_row_ = state.step % output_.history_every != 0;
-    if (!owes_a_row_) history_.append(history_row(simulation, summary));
+    if (!owes_a_row_) history_.append(history_row(simulation, summary, widening_));
     if (output_.snapshots_every && is_due(before, state.time, *output_.snapshots_every))
         take_snapshot(simulation);
     if (output_.checkpoint_every && is_due(before, state.time, *output_.checkpoint_every)) {
@@ -80,13 +90,13 @@ void Recorder::record(Simulation& simulation, const Summary& summary, double bef
 
 std::filesystem::path Recorder::keep(const Simulation& simulation, const RunMemory& memory) {
     if (std::exchange(owes_a_row_, false))
-        history_.append(history_row(simulation, simulation.summary()));
+        history_.append(history_row(simulation, simulation.summary(), widening_));
     if (simulation.state().step != last_snapshot_) take_snapshot(simulation);
     return take_checkpoint(simulation, memory);
 }
 
 void Recorder::take_snapshot(const Simulation& simulation) {
-    snapshots_.write(collect_snapshot(simulation));
+    snapshots_.write(widening_.whole(collect_snapshot(simulation)));
     last_snapshot_ = simulation.state().step;
 }
 
@@ -94,7 +104,7 @@ std::filesystem::path Recorder::take_checkpoint(const Simulation& simulation,
                                                 const RunMemory& memory) {
     const State& state = simulation.state();
     auto path = checkpoint_file(directory_, name_, state.step);
-    save_checkpoint(path, {state, memory}, provenance_);
+    save_checkpoint(path, {state, memory}, computed_);
     return path;
 }
 

@@ -9,6 +9,7 @@
 #include "solver/files/history.hpp"
 #include "solver/files/provenance.hpp"
 #include "solver/files/snapshot_series.hpp"
+#include "solver/run/reduction.hpp"
 #include "solver/step/simulation.hpp"
 
 namespace crawford {
@@ -17,15 +18,16 @@ namespace crawford {
 /// run writes when the unbroken one does.
 bool is_due(double before, double after, double interval);
 
-/// What the history says of the present state.
-HistoryRow history_row(const Simulation& simulation, const Summary& summary);
+/// What the history says of the present state, in the shape that was asked for.
+HistoryRow history_row(const Simulation& simulation, const Summary& summary,
+                       const Widening& widening);
 
 class Recorder {
 public:
     /// For a run that begins with the state of `simulation`: at step 0 the files are new, later
     /// they go on from there.
     /// \throws InputError if they cannot be written or gone on with.
-    Recorder(std::filesystem::path directory, std::string name, Provenance provenance,
+    Recorder(std::filesystem::path directory, std::string name, const Reduction& reduction,
              const Simulation& simulation);
 
     /// Writes what is due after a step that began at time `before` [s]. At a checkpoint the
@@ -44,7 +46,8 @@ private:
 
     std::filesystem::path directory_;
     std::string name_;
-    Provenance provenance_;
+    Widening widening_;
+    Provenance computed_;  ///< goes into checkpoints
     Output output_;
     History history_;
     SnapshotSeries snapshots_;

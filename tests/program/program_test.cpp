@@ -120,6 +120,29 @@ TEST_F(Program, BurnsASceneIntoItsDirectory) {
     EXPECT_EQ(manifest.at("command").at(1), "burn");
 }
 
+TEST_F(Program, LeavesOutWhatIsAMirrorImageAndSaysSo) {
+    std::vector<std::string> whole{"burn",  scenes + "sandwich.toml", "--set", "domain.half=false",
+                                   "--set", "domain.nx=16",           "--set", "domain.ny=24",
+                                   "--set", "time.end=60 us",         "--out", out()};
+    const Finished half = crawford(whole);
+    EXPECT_EQ(half.status, 0) << half.output;
+    EXPECT_THAT(half.output, HasSubstr("left out: half of 16 columns"));
+    const auto manifest = nlohmann::json::parse(std::ifstream(out_ / "manifest.json"));
+    EXPECT_THAT(manifest.at("left_out").get<std::string>(), HasSubstr("half of 16 columns"));
+    EXPECT_THAT(manifest.at("scene").get<std::string>(), HasSubstr("half = false"));
+    whole.emplace_back("--as-written");
+    const Finished all = crawford(whole);
+    EXPECT_EQ(all.status, 0) << all.output;
+    EXPECT_THAT(all.output, Not(HasSubstr("left out")));
+    // A checkpoint of all columns is gone on from with all.
+    whole.pop_back();
+    whole.insert(whole.end(), {"--set", "time.end=100 us", "--restart",
+                               (out_ / "sandwich_checkpoint_000003.h5").string()});
+    const Finished on = crawford(whole);
+    EXPECT_EQ(on.status, 0) << on.output;
+    EXPECT_THAT(on.output, Not(HasSubstr("left out")));
+}
+
 TEST_F(Program, WritesAPackThatASceneReads) {
     const std::string file = (out_ / "pack.csv").string();
     const std::string recipe = scenes + "random_pack.toml";
