@@ -16,7 +16,7 @@ struct StepMemory {
 
 /// How the steps of a run came about.
 struct StepCount {
-    long rejected = 0;      ///< for their error or a row crossed, and tried again
+    long rejected = 0;      ///< for their error or a cell crossed, and tried again
     long failed = 0;        ///< and tried again, shorter
     double shortest = 0.0;  ///< [s]
     double longest = 0.0;   ///< [s]

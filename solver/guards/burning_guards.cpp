@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/guards/crossed.hpp"
+#include "solver/guards/grid_guards.hpp"
 #include "solver/heat/heat_step.hpp"
 
 namespace crawford {
@@ -114,6 +116,23 @@ Guard front_coupling(const Scene& scene, const Grid& grid, const Material& m,
         "a step is long for the surface of {}, ignition is inaccurate; reduce time.step to {:g} "
         "us or less",
         m.name, rounded_down(1e6 * fine));
+    return guard;
+}
+
+Guard predicted_front_crossing(const Scene& scene, const Grid& grid, const Material& material,
+                               const SteadySlab& slab) {
+    constexpr double steep = 1e3;  // a front that does not hang on T may still have any slope
+    const double speed = front_speed(slab.burn_rate, sensitivity(scene, material, slab), steep);
+    Guard guard =
+        front_crossing(speed * scene.time.step / narrowest_column(grid), scene.time.scheme);
+    constexpr double beyond_doubt = 1.5;
+    const bool hangs_on_t = scene.physics.regression == Regression::pyrolysis;
+    if (guard.value <= beyond_doubt * *guard.limit || !hangs_on_t) return guard;
+    guard.beyond = Beyond::refusal;
+    guard.text = fmt::format(
+        "waves of the burning surface of {} would run too far in a step, and grow; reduce "
+        "time.step to {:g} us or less",
+        material.name, rounded_down(1e6 * scene.time.step * *guard.limit / guard.value));
     return guard;
 }
 

@@ -34,6 +34,11 @@ Guard front_coupling(const Scene& scene, const Grid& grid, const Material& mater
                      const SteadySlab& slab);
 Guard front_coupling(double number);  ///< as it is met: only told
 
+/// Columns that waves of the surface of a material run in a step. Refused at half as much again as is
+/// remarked: a part that burns by itself may burn faster than it will beside another.
+Guard predicted_front_crossing(const Scene& scene, const Grid& grid, const Material& material,
+                               const SteadySlab& slab);
+
 /// Slope of the slowest material beside an interface that recedes at this rate [m/s]:
 /// r sqrt(1 + p^2) = V at the temperature at which another burns at V level.
 double predicted_slope(const Scene& scene, double regression_rate);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/guards/crossed.hpp"
+
 namespace crawford {
 
 namespace {
@@ -147,10 +149,10 @@ Guard predicted_crossing_y(const Scene& scene, const Grid& grid, double burn_rat
     return guard;
 }
 
-Guard front_crossing(double columns) {
-    return no_more_than("front_crossing", columns, 1.0,
-                        "slopes run over more than a column of the surface in a step; reduce "
-                        "time.step");
+Guard front_crossing(double columns, Stepping scheme) {
+    return no_more_than("front_crossing", columns, front_crossing_limit(scheme),
+                        "waves of the burning surface run too far in a step, and grow; reduce "
+                        "time.step, or take fewer columns");
 }
 
 }  // namespace crawford

@@ -38,7 +38,7 @@ Guard predicted_crossing_y(const Scene& scene, const Grid& grid, double burn_rat
 Guard crossing_x(double cells);
 Guard crossing_y(double cells);
 
-/// Columns that a slope runs over the surface in a step.
-Guard front_crossing(double columns);
+/// Columns that a wave of the burning surface runs in a step (crossed.hpp).
+Guard front_crossing(double columns, Stepping scheme);
 
 }  // namespace crawford

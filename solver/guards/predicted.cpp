@@ -59,6 +59,8 @@ bool add_burning(Guards& guards, const Scene& scene, const Grid& grid, const Par
     add_worst(guards, front_coupling(scene, grid, part.material, part.answer.slab));
     if (scene.physics.regression == Regression::pyrolysis)
         add_worst(guards, alternation(0.0));  // or front_coupling refuses it
+    if (grid.cell_columns() > 1)
+        add_worst(guards, predicted_front_crossing(scene, grid, part.material, part.answer.slab));
     if (scene.physics.mechanics && grid.cell_columns() > 1)
         // A slab expands towards the surface alone; beside another material also sideways.
         add_worst(guards, crossing_x(speed_of_expansion(scene, part.material, part.answer.slab) *
@@ -101,7 +103,6 @@ Guards predicted(const Scene& scene) {
                 add_worst(guards, layers_in_window(scene, material, fastest));
         guards.push_back(predicted_crossing_y(scene, grid, fastest));
         if (grid.cell_columns() == 1) return guards;
-        guards.push_back(front_crossing(fastest * scene.time.step / narrowest_column(grid)));
         if (scene.physics.regression == Regression::pyrolysis)
             guards.push_back(told(slope(predicted_slope(scene, fastest))));
     }

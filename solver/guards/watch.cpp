@@ -70,8 +70,7 @@ std::optional<Guard> Worst::meet(double value) {
 }
 
 Watch::Watch(const Simulation& simulation)
-    : crossing_(simulation.grid()),
-      narrowest_(narrowest_column(simulation.grid())),
+    : crossing_(simulation.scene(), simulation.grid()),
       surface_(simulation.state().surface),
       diffusivity_(largest_diffusivity(simulation.scene().morphology.materials)) {
     watch(simulation.scene(), simulation.grid());
@@ -94,7 +93,8 @@ void Watch::watch(const Scene& scene, const Grid& grid) {
     add("crossing_y", crossing_y);
     if (grid.cell_columns() == 1) return;
     add("crossing_x", crossing_x);
-    add("front_crossing", front_crossing);
+    add("front_crossing",
+        [scheme = scene.time.scheme](double columns) { return front_crossing(columns, scheme); });
     add("slope", slope);
 }
 
@@ -163,10 +163,8 @@ Guards Watch::record(const Simulation& simulation, const Summary& summary) {
     surface_ = state.surface;
     meet("crossing_y", cells.rows);
     meet("crossing_x", cells.columns);
-    const double slope = largest_slope(simulation.grid(), state.surface);
-    meet("slope", slope);
-    meet("front_crossing",
-         summary.mean_burn_rate * state.length / narrowest_ * slope / std::hypot(1.0, slope));
+    meet("front_crossing", cells.by_front);
+    meet("slope", largest_slope(simulation.grid(), state.surface));
     return told;
 }
 

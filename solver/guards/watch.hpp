@@ -55,7 +55,6 @@ private:
     double slowest_move(const State& state, double burn_rate) const;
 
     Crossing crossing_;
-    double narrowest_;                                 ///< column [m]
     SurfaceField surface_;                             ///< before the step
     std::vector<double> burn_rates_;                   ///< of the last steps
     double diffusivity_;                               ///< largest of the materials [m^2/s]

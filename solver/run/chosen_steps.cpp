@@ -37,7 +37,7 @@ ChosenSteps::ChosenSteps(const Scene& scene, const Grid& grid)
     : time_(scene.time),
       snapshots_every_(scene.output.snapshots_every),
       error_(scene, grid),
-      crossing_(grid),
+      crossing_(scene, grid),
       next_(scene.time.step),
       ceiling_(ceiling(scene.surface)),
       limit_(ceiling_) {}
@@ -65,15 +65,16 @@ bool ChosenSteps::try_step(Simulation& simulation, const Span& span, int trials)
         return false;
     }
     const double error = error_.of(before, simulation.state()) / *time_.accuracy;
-    const double rows = crossing_.of(before.surface, simulation.state()).rows;
-    if ((error > little_more || rows > 1.0) && trials < most_trials) {
+    const double crossed =
+        crossing_.share_of_limit(crossing_.of(before.surface, simulation.state()));
+    if ((error > little_more || crossed > 1.0) && trials < most_trials) {
         ++count_.rejected;
-        next_ = span.length * std::min(change_for(error), rows > 1.0 ? caution / rows : 1.0);
+        next_ = span.length * std::min(change_for(error), crossed > 1.0 ? caution / crossed : 1.0);
         simulation.restore(std::move(before));
         return false;
     }
     error_.accept(before, simulation.state());
-    accept(span.length, error, rows);
+    accept(span.length, error, crossed);
     return true;
 }
 
@@ -83,13 +84,13 @@ double ChosenSteps::change_for(double error) const {
                       largest_growth);
 }
 
-void ChosenSteps::accept(double length, double error, double rows) {
+void ChosenSteps::accept(double length, double error, double crossed) {
     const double change = change_for(error);
     double wanted = length * change;
     // A good step that was cut short says nothing against the length that was planned.
     if (change >= 1.0) wanted = std::max(wanted, std::min(next_, limit_));
     limit_ *= limit_growth;
-    if (rows > 0.0) limit_ = std::min(limit_, caution * length / rows);
+    if (crossed > 0.0) limit_ = std::min(limit_, caution * length / crossed);
     next_ = std::min({wanted, limit_, ceiling_});
     count_.longest = std::max(count_.longest, length);
     count_.shortest = count_.shortest == 0.0 ? length : std::min(count_.shortest, length);

@@ -12,9 +12,9 @@ namespace crawford {
 
 /// A step is taken where it adds less than time.accuracy of error (step_error.hpp); else it is
 /// tried again, shorter. The next one is as long as the error of this one lets it be. A step that
-/// fails, or in which the solid crosses more than a row, is tried again as well: where a number is
-/// beyond its limit, by that much shorter. The next one is planned to cross no more than 0.85 of a
-/// row: what is explicit goes not much further.
+/// fails, or in which solid or slopes cross more than a cell, is tried again as well: where a number
+/// is beyond its limit, by that much shorter. The next one is planned to cross no more than 0.85 of
+/// a cell: what is explicit goes not much further.
 ///
 /// Steps end at the times of snapshots and at time.end, and before these the way that is left is
 /// shared out evenly. Checkpoints shorten none: a run does not depend on them.
@@ -42,7 +42,7 @@ private:
     /// Takes it if it can be taken and is good enough.
     bool try_step(Simulation& simulation, const Span& span, int trials);
     void shorten(const NumericalFailure& failure, double tried);
-    void accept(double length, double error, double rows);
+    void accept(double length, double error, double crossed);
     double change_for(double error) const;
 
     Time time_;

@@ -18,7 +18,6 @@ using namespace units;
 
 Truth of_slab() {
     const reference::Slab exact(slab("AP", {.cells = 1})
-                                    .rigid()
                                     .burning_by_law()
                                     .heated(200.0 * cal / (s * cm2))
                                     .pressed(2.0 * MPa)

@@ -184,12 +184,9 @@ void add_points(reports::Figure& figure, const Subject& subject, const std::vect
         seconds.values.push_back(point.record.cost.cpu_seconds);
         off.values.push_back(100.0 * error(point, quantity::regression_rate));
     }
-    if (lost.values.empty()) {  // a table has at least a row
-        lost.values.push_back(std::nan(""));
-        why.values.push_back(std::nan(""));
-    }
     figure.table(table_name(subject.name), {kind, seconds, off});
-    figure.table(table_name(subject.name) + "_lost", {lost, why});
+    figure.set("lost_" + table_name(subject.name), double(lost.values.size()));
+    if (!lost.values.empty()) figure.table(table_name(subject.name) + "_lost", {lost, why});
 }
 
 void add_fronts(reports::Figure& figure, const Subject& subject, const std::vector<Point>& points) {

@@ -21,15 +21,13 @@ set xlabel 'CPU time / s'
 set ylabel 'V off by / %'
 set yrange [1e-4:200]
 floor_of(e) = e < 1.2e-4 ? 1.2e-4 : e
-trade(subject) = sprintf("plot \
-    band_%s > 0 ? band_%s : NaN with filledcurves y1=1e-4 fc rgb '#eeeeee' title 'within the truth''s own error', \
-    data_%s_front_0 using 1:(floor_of($2)) with lines ls 9 title 'nothing beats', \
-    for [k = 1:6] data_%s using ($1 == k - 1 ? $2 : NaN):(floor_of($3)) with points ls k title word(knobs, k), \
-    data_%s_lost using 1:(100) with points lc rgb '#b2182b' pt 1 ps 1.1 title 'refused or failed'", \
-    subject, subject, subject, subject, subject)
+band(subject) = value('band_' . subject) > 0 ? "band_" . subject . " with filledcurves y1=1e-4 fc rgb '#eeeeee' title 'known no better', " : ''
+lost(subject) = value('lost_' . subject) > 0 ? ", data_" . subject . "_lost using 1:(100) with points lc rgb '#b2182b' pt 1 ps 1.1 title 'refused, failed'" : ''
+trade(subject) = 'plot ' . band(subject) . "data_" . subject . "_front_0 using 1:(floor_of($2)) with lines ls 9 title 'nothing beats', \
+    for [k = 1:6] data_" . subject . " using ($1 == k - 1 ? $2 : NaN):(floor_of($3)) with points ls k title word(knobs, k)" . lost(subject)
 
 @panel_a
-eval heading('a', 'rigid slab of AP, 160 ms, against the exact slab')
+eval heading('a', 'slab of AP, 160 ms, against the exact slab')
 eval trade('slab')
 
 @panel_b
