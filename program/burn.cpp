@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/peak_memory.hpp"
 #include "base/terminal.hpp"
+#include "program/accuracy.hpp"
 #include "program/burn_folder.hpp"
 #include "program/check.hpp"
 #include "program/commands.hpp"
@@ -22,6 +26,12 @@
 namespace crawford {
 
 namespace {
+
+void add_to_manifest(const std::filesystem::path& file, const nlohmann::ordered_json& more) {
+    auto manifest = nlohmann::ordered_json::parse(std::ifstream(file));
+    manifest.update(more);
+    write_file(file, manifest.dump(2) + '\n');
+}
 
 void tell(const BurnOutcome& outcome, const BurnOptions& files) {
     std::cout << fmt::format(
@@ -42,6 +52,27 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
             "{} that failed\n",
             outcome.chosen->shortest * 1e6, outcome.chosen->longest * 1e6, outcome.chosen->rejected,
             outcome.chosen->failed);
+}
+
+/// Looks whether a preset has kept its promise, says so and leaves it in the manifest.
+void tell_accuracy(const Scene& scene, const Preset& preset, const BurnOutcome& outcome,
+                   const BurnOptions& files) {
+    const AccuracyFound found =
+        check_accuracy(scene, preset, outcome, files.directory / (files.name + "_history.csv"));
+    std::cout << fmt::format(
+        "V over the second half {:.5g} cm/s, on half the grid {:.5g} cm/s: some {:.2g} % off, {:g} "
+        "% "
+        "promised by\npreset {}; took {:.1f} s and {:.0f} MB, and {:.1f} s to check\n",
+        100.0 * found.regression_rate, 100.0 * found.coarser, 100.0 * found.error,
+        100.0 * preset.error, preset.name, outcome.seconds, double(peak_memory()) / 1e6,
+        found.seconds);
+    add_to_manifest(files.directory / "manifest.json",
+                    {{"accuracy",
+                      {{"preset", preset.name},
+                       {"promised", preset.error},
+                       {"estimated", found.error},
+                       {"regression_rate_second_half", found.regression_rate},
+                       {"on_half_the_grid", found.coarser}}}});
 }
 
 /// The name goes into files that are UTF-8 by their standards.
@@ -87,7 +118,11 @@ Reduction reduction_of(const Scene& scene, const BurnSceneOptions& options) {
 }  // namespace
 
 int burn(const BurnSceneOptions& options, const CommandLine& command) {
-    const Scene scene = typed_scene(options.scene, options.set);
+    const auto preset = wanted_preset(options);
+    std::vector<std::string> chosen;
+    const Scene scene = preset ? scene_at(options, *preset, options.quiet ? nullptr : &chosen)
+                               : typed_scene(options.scene, options.set);
+    for (const std::string& line : chosen) std::cerr << "crawford: " << line << '\n';
     if (options.check) return check(scene, options.json);
     const Reduction reduction = reduction_of(scene, options);
     const std::string name = name_of_scene(options.scene);
@@ -120,7 +155,10 @@ int burn(const BurnSceneOptions& options, const CommandLine& command) {
     const BurnOutcome outcome = burn(reduction, files);
     if (options.timing) std::cout << timing_table(outcome.timing, outcome.seconds, outcome.steps);
     tell(outcome, files);
-    if (!outcome.interrupted) return exit_code::done;
+    if (!outcome.interrupted) {
+        if (preset) tell_accuracy(scene, *preset, outcome, files);
+        return exit_code::done;
+    }
     std::cout << "go on with: " << command_that_goes_on(command, outcome) << std::endl;
     return exit_code_of(interrupt.signal());
 }

@@ -9,6 +9,7 @@
 #include "base/build_info.hpp"
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "program/accuracy.hpp"
 #include "program/chosen_grids.hpp"
 #include "program/help.hpp"
 
@@ -160,6 +161,14 @@ struct Parser {
         refuse_empty(burn_command->add_option("--restart", burn.restart,
                                               "Go on from a checkpoint of this scene"))
             ->type_name("FILE");
+        auto* const preset =
+            burn_command->add_option("--preset", burn.preset, "Choose grid and steps: see below")
+                ->type_name("NAME");
+        burn_command
+            ->add_option("--accuracy", burn.accuracy,
+                         "The cheapest preset that promises V so accurately, e.g. \"1 %\"")
+            ->type_name("PART")
+            ->excludes(preset);
         burn_command->add_flag("--as-written", burn.as_written,
                                "Compute also what a symmetry or one material in x makes known");
         burn_command->add_flag("--timing", burn.timing, "Print where the time went");
@@ -167,7 +176,11 @@ struct Parser {
             "--check", burn.check, "Run nothing: print the scene's numbers and their limits");
         burn_command->add_flag("--json", burn.json, "Print them as JSON")->needs(check);
         add_quiet(burn_command, burn.quiet);
-        add_footer(burn_command, help::burn_examples);
+        burn_command->footer("");  // not the program's own besides
+        burn_command->footer([] {
+            return fmt::format("{}\n\nPresets:\n{}{}", help::burn_examples, presets_in_words(),
+                               help::exit_codes);
+        });
     }
 
     void add_pack() {

@@ -62,6 +62,8 @@ struct BurnSceneOptions {
     std::vector<std::string> set;  ///< "dotted.key=value"
     std::filesystem::path out;     ///< out/<name of the scene> if empty
     std::optional<std::filesystem::path> restart;
+    std::string preset;    ///< a name; empty if none is asked for
+    std::string accuracy;  ///< of V, "1 %"; empty likewise
     bool timing = false;
     bool as_written = false;  ///< nothing is left out
     bool check = false;       ///< only what its numbers will be

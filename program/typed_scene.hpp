@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace crawford {
 /// scene.
 /// \throws InputError as read_scene
 Scene typed_scene(const std::filesystem::path& file, const std::vector<std::string>& set);
+
+/// The same with what `chosen` says of the scene put in as well; what is set wins.
+Scene typed_scene(const std::filesystem::path& file, const std::vector<std::string>& set,
+                  const std::function<std::vector<std::string>(const Scene&)>& chosen);
 
 /// What the results of a scene are called: the file's name without its ending, "scene" where it came
 /// in by standard input.
