@@ -12,7 +12,7 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
-#include "base/program_fingerprint.hpp"
+#include "cases/scene_fingerprint.hpp"
 #include "base/terminal.hpp"
 #include "cases/terms.hpp"
 #include "program/choose.hpp"
@@ -119,7 +119,7 @@ int verify(const VerifyOptions& options, const CommandLine& command) {
     const FileLock lock(options.out / ".lock", [&] {
         narrator.say("waiting for another run that writes into " + options.out.string());
     });
-    reports::RecordStore store(options.out / "records", program_fingerprint());
+    reports::RecordStore store(options.out / "records", fingerprint_with_scenes());
     const auto started = Clock::now();
     auto results = options.judge_only
                        ? reports::judge_kept(tasks, store)

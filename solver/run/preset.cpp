@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::array keys{std::pair{"error", &Preset::error},
                           std::pair{"rows_in_layer", &Preset::rows_in_layer},
+                          std::pair{"columns_in_layer", &Preset::columns_in_layer},
                           std::pair{"columns_in_feature", &Preset::columns_in_feature},
                           std::pair{"clustering", &Preset::clustering},
                           std::pair{"clustering_x", &Preset::clustering_x},
@@ -82,13 +83,17 @@ int multiple_of_four(double count) {
 
 /// Columns across the width: with the sides of a strip on nodes, if that takes no more than twice as
 /// many.
-int columns(const Preset& preset, const Scene& scene) {
+int columns(const Preset& preset, const Scene& scene, double layer) {
     const double width = scene.domain.width;
+    const auto fewest = [&](double feature) {
+        return multiple_of_four(
+            width * std::max(preset.columns_in_feature / feature, preset.columns_in_layer / layer));
+    };
     if (const auto* discs = std::get_if<Discs>(&scene.morphology.shape))
-        return multiple_of_four(preset.columns_in_feature * width / mean_diameter(*discs));
+        return fewest(mean_diameter(*discs));
     const auto* strip = std::get_if<Sandwich>(&scene.morphology.shape);
     if (strip == nullptr) return 1;
-    const int least = multiple_of_four(preset.columns_in_feature * width / strip->strip);
+    const int least = fewest(strip->strip);
     for (int nx = least; nx <= 2 * least; nx += 4) {
         const double cells = 0.5 * strip->strip / width * nx;
         if (std::abs(cells - std::round(cells)) < 1e-6) return nx;
@@ -107,7 +112,7 @@ Domain domain_of(const Preset& preset, const Scene& scene, double layer) {
     Domain domain = scene.domain;
     domain.clustering = preset.clustering;
     domain.clustering_x = is_strip ? preset.clustering_x : 0.0;
-    domain.nx = columns(preset, scene);
+    domain.nx = columns(preset, scene, layer);
     Domain column = domain;
     column.nx = 1;
     column.half = false;

@@ -13,9 +13,10 @@
 namespace crawford {
 
 struct Preset {
-    std::string name;      ///< of its file, without the ending
-    double error;          ///< of V that it promises, relative
-    double rows_in_layer;  ///< D/r_b of the thinnest thermal layer over the lowest row's height
+    std::string name;         ///< of its file, without the ending
+    double error;             ///< of V that it promises, relative
+    double rows_in_layer;     ///< D/r_b of the thinnest thermal layer over the lowest row's height
+    double columns_in_layer;  ///< the same of the mean width of a column, where there are any
     double columns_in_feature;  ///< in a strip, or in the mean disc's diameter
     double clustering;          ///< domain.clustering
     double clustering_x;        ///< domain.clustering_x, where there is a strip

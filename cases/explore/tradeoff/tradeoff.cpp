@@ -28,7 +28,7 @@
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
 #include "base/peak_memory.hpp"
-#include "base/program_fingerprint.hpp"
+#include "cases/scene_fingerprint.hpp"
 #include "cases/explore/tradeoff/judged.hpp"
 #include "cases/explore/tradeoff/trials.hpp"
 #include "cases/registry.hpp"
@@ -68,7 +68,7 @@ reports::Record record_of(const Subject& subject, const Trial& trial, const std:
 /// One after the other: side by side they would slow each other down.
 std::vector<Point> burn_all(const Request& request, const std::vector<Subject>& subjects) {
     const std::string fidelity = request.fidelity == Fidelity::draft ? "draft" : "paper";
-    reports::RecordStore store(request.out / "records", program_fingerprint());
+    reports::RecordStore store(request.out / "records", fingerprint_with_scenes());
     std::vector<Point> points;
     const std::vector<Trial> all = trials(request.fidelity);
     for (const Trial& trial : all) {
