@@ -121,6 +121,9 @@ void Projection::add_stress(Balance& forces, const StressField& stress, const No
             const Cell cell(grid_, surface, i, j);
             const auto nodes = corners(grid_, i, j);
             const double tau_mu = velocity ? viscosity(i, j) : 0.0;
+            std::array<Vector, 4> sum{Vector::Zero(), Vector::Zero(), Vector::Zero(),
+                                      Vector::Zero()};
+            std::array<Vector, 4> magnitude = sum;
             for (size_t k = 0; k < points.size(); ++k) {
                 Eigen::Matrix2d grad_v = Eigen::Matrix2d::Zero();
                 if (tau_mu != 0.0) grad_v = gradient(cell, gather(*velocity, nodes), points[k]);
@@ -129,9 +132,14 @@ void Projection::add_stress(Balance& forces, const StressField& stress, const No
                 const auto hats = hat_gradients(cell, points[k]);
                 for (size_t corner = 0; corner < 4; ++corner) {
                     const Vector force = -weight * cell.area() * (sigma * hats[corner]);
-                    for (int c = 0; c < 2; ++c)
-                        forces.add(matrix_.unknown(nodes[corner], c), force[c]);
+                    sum[corner] += force;
+                    magnitude[corner] += force.cwiseAbs();
                 }
+            }
+            for (size_t corner = 0; corner < 4; ++corner) {
+                const int first = matrix_.unknown(nodes[corner], 0);
+                forces.sum.segment<2>(first) += sum[corner];
+                forces.magnitude.segment<2>(first) += magnitude[corner];
             }
         }
 }
