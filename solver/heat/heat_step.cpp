@@ -149,8 +149,9 @@ void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMo
     const Cell cell(grid_, motion.surface, i, j);
     const auto nodes = corners(grid_, i, j);
     const double share = 0.25 * cell.area();
-    const double kappa = materials_.thermal_conductivity(i, j);
-    const Eigen::Matrix2d further = materials_.further_conductivity(i, j);
+    const Eigen::Matrix2d kappa =
+        materials_.thermal_conductivity(i, j) * Eigen::Matrix2d::Identity() +
+        materials_.further_conductivity(i, j);
     const double mean_temperature = interpolate(gather(temperature, nodes), cell_centre);
 
     double heat_capacity = capacity(i, j, mean_temperature);
@@ -161,20 +162,20 @@ void HeatStep::add_cell(int i, int j, const NodeField& temperature, const HeatMo
         heat_capacity += split;
     }
 
+    Eigen::Matrix4d transport = Eigen::Matrix4d::Zero();
     for (int vertex = 0; vertex < 4; ++vertex) {
         const auto hats = hat_gradients(cell, vertices[size_t(vertex)]);
         const Vector carried = heat_capacity * relative_velocity(motion, nodes[size_t(vertex)]);
         for (int q = 0; q < 4; ++q) {
-            transport_.add(nodes, vertex, q, share * carried.dot(hats[size_t(q)]));
-            const Vector flux = further * hats[size_t(q)];
-            for (int p = 0; p < 4; ++p)
-                transport_.add(nodes, p, q,
-                               share * kappa * hats[size_t(p)].dot(hats[size_t(q)]) +
-                                   share * hats[size_t(p)].dot(flux));
+            transport(vertex, q) += share * carried.dot(hats[size_t(q)]);
+            const Vector flux = share * kappa * hats[size_t(q)];
+            for (int p = 0; p < 4; ++p) transport(p, q) += hats[size_t(p)].dot(flux);
         }
         const Node& node = nodes[size_t(vertex)];
         mass_(node.i, node.j) += share * heat_capacity;
     }
+    for (int p = 0; p < 4; ++p)
+        for (int q = 0; q < 4; ++q) transport_.add(nodes, p, q, transport(p, q));
 }
 
 /// -beta T div v of the last step. Split adiabatically, the part that answers DT/Dt at once, -split

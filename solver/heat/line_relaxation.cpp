@@ -19,37 +19,48 @@ constexpr int most_sweeps = 2000;
 // Of what a step changes, the part that may be wrong: small beside the error of the step itself.
 constexpr double share_of_step = 1e-3;
 
-/// The Thomas algorithm on one column; keeps its work space between columns.
+/// The Thomas algorithm on every column. What it makes of the coefficients is kept from sweep to
+/// sweep.
 class ColumnSolver {
 public:
-    explicit ColumnSolver(int rows) : upper_(size_t(rows)), value_(size_t(rows)) {}
+    ColumnSolver(const NodeStencil& a, const NodeField& x)
+        : a_(a), factors_(x.columns(), x.rows()), value_(size_t(x.rows())) {
+        for (int i = 0; i < x.columns(); ++i)
+            for (int j = 1; j < x.rows(); ++j) {
+                const auto& c = a.row(i, j)[1];
+                const double pivot = c[1] - c[0] * factors_(i, j - 1).upper;
+                factors_(i, j) = {c[0] / pivot, 1.0 / pivot, c[2] / pivot};
+            }
+    }
 
     /// \returns the largest change in the column.
-    double solve(const NodeStencil& a, const NodeField& b, NodeField& x, int i) {
+    double solve(const NodeField& b, NodeField& x, int i) {
         const int rows = x.rows();
-        upper_[0] = 0.0;
         value_[0] = x(i, 0);
         for (int j = 1; j < rows; ++j) {
-            const auto& c = a.row(i, j)[1];
-            const auto k = size_t(j);
-            const double pivot = c[1] - c[0] * upper_[k - 1];
-            const double rhs = b(i, j) - a.column_sum(x, i, j, -1) - a.column_sum(x, i, j, 1);
-            upper_[k] = c[2] / pivot;
-            value_[k] = (rhs - c[0] * value_[k - 1]) / pivot;
+            const double rhs = b(i, j) - a_.column_sum(x, i, j, -1) - a_.column_sum(x, i, j, 1);
+            const Factors& f = factors_(i, j);
+            value_[size_t(j)] = f.inverse * rhs - f.lower * value_[size_t(j) - 1];
         }
         double change = 0.0;
+        double above = 0.0;
         for (int j = rows - 1; j > 0; --j) {
-            const double above = j + 1 < rows ? x(i, j + 1) : 0.0;
-            const double value = value_[size_t(j)] - upper_[size_t(j)] * above;
+            const double value = value_[size_t(j)] - factors_(i, j).upper * above;
             const double step = std::abs(value - x(i, j));
             if (!(step <= change)) change = step;  // also true for a NaN
-            x(i, j) = value;
+            x(i, j) = above = value;
         }
         return change;
     }
 
 private:
-    std::vector<double> upper_, value_;
+    struct Factors {
+        double lower = 0.0, inverse = 0.0, upper = 0.0;  ///< over the pivot
+    };
+
+    const NodeStencil& a_;
+    Lattice<Factors> factors_;
+    std::vector<double> value_;
 };
 
 /// How far the answer still is, from how the changes of the sweeps shrink. Sweeps there and back
@@ -91,7 +102,7 @@ double round_off(const NodeField& x) {
 }  // namespace
 
 Relaxation relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x, double tolerance) {
-    ColumnSolver column(x.rows());
+    ColumnSolver column(a, x);
     const int columns = x.columns();
     Distance distance;
     const double least_change = round_off(x);
@@ -101,7 +112,7 @@ Relaxation relax_columns(const NodeStencil& a, const NodeField& b, NodeField& x,
         largest = 0.0;
         for (int k = 0; k < columns; ++k) {
             const int i = sweep % 2 == 1 ? k : columns - 1 - k;
-            const double change = column.solve(a, b, x, i);
+            const double change = column.solve(b, x, i);
             if (!(change <= largest)) {
                 largest = change;
                 worst = i;

@@ -84,4 +84,13 @@ std::pair<int, int> CarriedGrid::columns(double left, double right) const {
     return {std::max(int(std::floor(from)), 0), std::min(int(std::ceil(to)), grid_.cell_columns())};
 }
 
+std::pair<int, int> CarriedGrid::rows(int i, double low, double high) const {
+    const auto [down, up] = std::minmax(surface_[size_t(i)], surface_[size_t(grid_.right_node(i))]);
+    int first = 0;
+    int end = grid_.rows();
+    while (first < end && up + most_.y() + grid_.eta(first + 1) < low) ++first;
+    while (first < end && down + least_.y() + grid_.eta(end - 1) > high) --end;
+    return {first, end};
+}
+
 }  // namespace crawford

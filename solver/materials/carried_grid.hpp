@@ -30,6 +30,8 @@ public:
 
     /// First and one past the last of the columns that may reach into left <= xi_1 <= right.
     std::pair<int, int> columns(double left, double right) const;
+    /// Likewise of the rows of column i, for low <= xi_2 <= high.
+    std::pair<int, int> rows(int i, double low, double high) const;
 
 private:
     Vector shift(int i, int j) const { return shift_ ? (*shift_)(i, j) : Vector::Zero(); }

@@ -131,14 +131,16 @@ void MaterialMap::fill_discs(const Discs& discs, const CarriedGrid& carried) {
 
 void MaterialMap::add_disc(Vector centre, double radius, const CarriedGrid& carried) {
     const auto [first, last] = carried.columns(centre.x() - radius, centre.x() + radius);
-    for (int i = first; i < last; ++i)
-        for (int j = 0; j < grid_.rows(); ++j) {
+    for (int i = first; i < last; ++i) {
+        const auto [lowest, highest] = carried.rows(i, centre.y() - radius, centre.y() + radius);
+        for (int j = lowest; j < highest; ++j) {
             const auto cell = carried.cell(i, j, centre);
             const auto [low, high] =
                 std::minmax({cell[0].y(), cell[1].y(), cell[2].y(), cell[3].y()});
             if (low > radius || high < -radius) continue;
             fraction_(i, j) += disc_overlap(cell, radius) / carried.area(i, j);
         }
+    }
 }
 
 void MaterialMap::find_surface_pieces(const CarriedGrid& carried) {

@@ -51,8 +51,8 @@ private:
     int neighbour(int i, int side) const {
         const int n = grid_.node_columns();
         const int column = i + side;
-        if (grid_.sides() == Sides::periodic) return (column + n) % n;
-        return column < n ? column : -1;
+        if (column >= 0 && column < n) return column;
+        return grid_.sides() == Sides::periodic ? column - side * n : -1;
     }
 
     const Grid& grid_;

@@ -19,8 +19,11 @@ struct UpwindDifferences {
 inline double weno3(const UpwindDifferences<double>& d, double smoothness) {
     const double upwind = d.near - d.far;
     const double downwind = d.ahead - d.near;
-    const double ratio = (smoothness + upwind * upwind) / (smoothness + downwind * downwind);
-    const double weight = 1.0 / (1.0 + 2.0 * ratio * ratio);
+    const double rough = smoothness + upwind * upwind;
+    const double rough_ahead = smoothness + downwind * downwind;
+    // 1/(1 + 2 (rough/rough_ahead)^2) with one division.
+    const double weight =
+        rough_ahead * rough_ahead / (rough_ahead * rough_ahead + 2.0 * rough * rough);
     return 0.5 * (d.near + d.ahead) - 0.5 * weight * (downwind - upwind);
 }
 

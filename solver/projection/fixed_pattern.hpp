@@ -14,7 +14,9 @@ class FixedPattern {
 public:
     /// \param held unknowns whose value is zero: their row and column become those of the identity.
     /// \param patches that may be added besides the cells.
-    FixedPattern(const Grid& grid, std::vector<bool> held, const std::vector<Patch>& patches);
+    /// \param without_centres the node in the middle of each patch has no equation
+    FixedPattern(const Grid& grid, std::vector<bool> held, const std::vector<Patch>& patches,
+                 bool without_centres = false);
 
     /// Unknown `component` (0 is u, 1 is v) of a node.
     int unknown(const Node& node, int component) const {
@@ -22,6 +24,13 @@ public:
     }
     int unknowns() const { return 2 * grid_.node_columns() * (grid_.rows() + 1); }
     bool held(int unknown) const { return held_[size_t(unknown)]; }
+
+    /// What the unknowns with an equation hold, in the order of the matrix; and put back, the others
+    /// left as they are.
+    Eigen::VectorXd gathered(const Eigen::VectorXd& of_all) const { return of_all(with_equation_); }
+    void scatter(const Eigen::VectorXd& values, Eigen::VectorXd& of_all) const {
+        of_all(with_equation_) = values;
+    }
 
     void clear();
 
@@ -43,8 +52,8 @@ public:
 
 private:
     struct Block {
-        size_t first;  ///< of its slots
-        std::vector<int> unknowns;
+        size_t first;               ///< of its slots
+        std::vector<int> unknowns;  ///< of the nodes, u before v
     };
     struct Slot {
         int index;      ///< among the matrix's values; -1 for nowhere
@@ -57,8 +66,13 @@ private:
     void find_slots();
     int position(int row, int column) const;
 
+    bool is_free(int unknown) const { return !held(unknown) && equation_[size_t(unknown)] >= 0; }
+    void number(const std::vector<Patch>& without_centres);
+
     const Grid& grid_;
     std::vector<bool> held_;
+    std::vector<int> equation_;       ///< of each unknown; -1 where it has none
+    std::vector<int> with_equation_;  ///< unknowns, in the order of the equations
     SparseMatrix matrix_;
     std::vector<Block> blocks_;
     std::vector<Slot> slots_;

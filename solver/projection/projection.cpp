@@ -18,6 +18,11 @@ Eigen::Matrix2d stress_at(const Deviator& s, double pressure, double viscosity,
     return sigma + 2.0 * viscosity * (d - d.trace() / 3.0 * Eigen::Matrix2d::Identity());
 }
 
+/// Conjugate gradients are left the paper's matrix.
+bool condenses(LinearSolver solver) {
+    return solver != LinearSolver::pcg;
+}
+
 }  // namespace
 
 Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& materials,
@@ -32,7 +37,13 @@ Projection::Projection(const Scene& scene, const Grid& grid, const MaterialMap& 
       solver_kind_(scene.numerics.solver),
       solver_tolerance_(scene.numerics.solver_tolerance),
       viscous_time_(viscous_time(scene)),
-      matrix_(grid, held_unknowns(grid, scene.bottom.support), checkerboard.patches()) {
+      matrix_(grid, held_unknowns(grid, scene.bottom.support), checkerboard.patches(),
+              condenses(scene.numerics.solver)),
+      in_patch_(grid.cell_columns(), grid.rows(), 0) {
+    if (condenses(solver_kind_)) centres_.resize(checkerboard.patches().size());
+    for (const Patch& patch : checkerboard.patches())
+        for (const int a : {0, 1})
+            for (const int b : {0, 1}) in_patch_(patch.i + a, patch.j + b) = 1;
     forget();
 }
 
@@ -56,7 +67,7 @@ int Projection::solve(StressField& stress, const SurfaceField& surface, double t
     const Eigen::VectorXd force = balance(stress, nullptr, surface, time).sum / dt;
     Eigen::Map<Eigen::VectorXd> flat(velocity.values().front().data(), matrix_.unknowns());
     Eigen::VectorXd v = flat;
-    const int iterations = solver_->solve(matrix_.lower(), force, v);
+    const int iterations = solve_condensed(force, v);
     flat = v;
     return iterations;
 }
@@ -71,31 +82,76 @@ double Projection::residual(const StressField& stress, const NodeVectors& veloci
 void Projection::assemble(const SurfaceField& surface, double dt) {
     matrix_.clear();
     add_cells(surface, dt);
-    relax_checkerboards(surface);
+    add_patches(surface, dt);
 }
 
+ElementMatrix Projection::cell_matrix(const SurfaceField& surface, int i, int j, double dt) const {
+    const Moduli moduli{materials_.bulk_modulus(i, j),
+                        materials_.shear_modulus(i, j) + viscosity(i, j) / dt};
+    return stiffness(element_, Cell(grid_, surface, i, j), moduli);
+}
+
+/// Cells that belong to no patch.
 void Projection::add_cells(const SurfaceField& surface, double dt) {
     size_t block = 0;
     for (int i = 0; i < grid_.cell_columns(); ++i)
-        for (int j = 0; j < grid_.rows(); ++j) {
-            const Moduli moduli{materials_.bulk_modulus(i, j),
-                                materials_.shear_modulus(i, j) + viscosity(i, j) / dt};
-            matrix_.add(block++, stiffness(element_, Cell(grid_, surface, i, j), moduli));
-        }
+        for (int j = 0; j < grid_.rows(); ++j, ++block)
+            if (!in_patch_(i, j)) matrix_.add(block, cell_matrix(surface, i, j, dt));
+}
+
+void Projection::add_patches(const SurfaceField& surface, double dt) {
+    size_t block = size_t(grid_.cell_columns()) * size_t(grid_.rows());
+    for (size_t k = 0; k < checkerboard_.patches().size(); ++k) {
+        PatchMatrix matrix = patch_matrix(surface, checkerboard_.patches()[k], dt);
+        if (!centres_.empty()) centres_[k] = PatchCentre(matrix);
+        matrix_.add(block++, matrix);
+    }
 }
 
 /// A dilatation that alternates over a patch meets no bulk modulus: K (theta, theta) loses its part
 /// along the checkerboard.
-void Projection::relax_checkerboards(const SurfaceField& surface) {
-    size_t block = size_t(grid_.cell_columns()) * size_t(grid_.rows());
-    for (const Patch& patch : checkerboard_.patches()) {
-        const size_t here = block++;
-        if (!checkerboard_.is_one_material(patch)) continue;
-        const auto force = checkerboard_.unit_force(patch, surface);
-        const double stiffness =
-            materials_.bulk_modulus(patch.i, patch.j) / checkerboard_.area(patch);
-        matrix_.add(here, (-stiffness * force * force.transpose()).eval());
+PatchMatrix Projection::patch_matrix(const SurfaceField& surface, const Patch& patch,
+                                     double dt) const {
+    PatchMatrix sum = PatchMatrix::Zero();
+    for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b) {
+            const ElementMatrix cell = cell_matrix(surface, patch.i + a, patch.j + b, dt);
+            // The corners of a cell, two and two, are neighbours in the patch's rows of three.
+            for (int p = 0; p < 2; ++p)
+                for (int q = 0; q < 2; ++q)
+                    sum.block<4, 4>(2 * (a + 3 * (b + p)), 2 * (a + 3 * (b + q))) +=
+                        cell.block<4, 4>(4 * p, 4 * q);
+        }
+    if (!checkerboard_.is_one_material(patch)) return sum;
+    const PatchVector force = checkerboard_.unit_force(patch, surface);
+    const double stiffness = materials_.bulk_modulus(patch.i, patch.j) / checkerboard_.area(patch);
+    sum.noalias() -= (stiffness * force) * force.transpose();
+    return sum;
+}
+
+/// Solves for all velocities: those of the centres follow from what is around them.
+int Projection::solve_condensed(Eigen::VectorXd force, Eigen::VectorXd& v) {
+    for (size_t k = 0; k < centres_.size(); ++k) {
+        const auto nodes = patch_nodes(grid_, checkerboard_.patches()[k]);
+        const PatchVector spread = centres_[k].spread(at(force, nodes[4]));
+        for (size_t node = 0; node < nodes.size(); ++node)
+            for (int c = 0; c < 2; ++c) {
+                const int unknown = matrix_.unknown(nodes[node], c);
+                if (!matrix_.held(unknown)) force[unknown] += spread[2 * int(node) + c];
+            }
     }
+    Eigen::VectorXd solution = matrix_.gathered(v);
+    const int iterations = solver_->solve(matrix_.lower(), matrix_.gathered(force), solution);
+    matrix_.scatter(solution, v);
+    for (size_t k = 0; k < centres_.size(); ++k) {
+        const auto nodes = patch_nodes(grid_, checkerboard_.patches()[k]);
+        PatchVector around;
+        for (size_t node = 0; node < nodes.size(); ++node)
+            around.segment<2>(2 * int(node)) = at(v, nodes[node]);
+        v.segment<2>(matrix_.unknown(nodes[4], 0)) =
+            centres_[k].velocity(at(force, nodes[4]), around);
+    }
+    return iterations;
 }
 
 Projection::Balance Projection::balance(const StressField& stress, const NodeVectors* velocity,
@@ -121,6 +177,9 @@ void Projection::add_stress(Balance& forces, const StressField& stress, const No
             const Cell cell(grid_, surface, i, j);
             const auto nodes = corners(grid_, i, j);
             const double tau_mu = velocity ? viscosity(i, j) : 0.0;
+            std::array<Vector, 4> sum{Vector::Zero(), Vector::Zero(), Vector::Zero(),
+                                      Vector::Zero()};
+            std::array<Vector, 4> magnitude = sum;
             for (size_t k = 0; k < points.size(); ++k) {
                 Eigen::Matrix2d grad_v = Eigen::Matrix2d::Zero();
                 if (tau_mu != 0.0) grad_v = gradient(cell, gather(*velocity, nodes), points[k]);
@@ -129,9 +188,14 @@ void Projection::add_stress(Balance& forces, const StressField& stress, const No
                 const auto hats = hat_gradients(cell, points[k]);
                 for (size_t corner = 0; corner < 4; ++corner) {
                     const Vector force = -weight * cell.area() * (sigma * hats[corner]);
-                    for (int c = 0; c < 2; ++c)
-                        forces.add(matrix_.unknown(nodes[corner], c), force[c]);
+                    sum[corner] += force;
+                    magnitude[corner] += force.cwiseAbs();
                 }
+            }
+            for (size_t corner = 0; corner < 4; ++corner) {
+                const int first = matrix_.unknown(nodes[corner], 0);
+                forces.sum.segment<2>(first) += sum[corner];
+                forces.magnitude.segment<2>(first) += magnitude[corner];
             }
         }
 }

@@ -13,6 +13,7 @@
 #include "solver/linear_solvers/spd_solver.hpp"
 #include "solver/materials/material_map.hpp"
 #include "solver/projection/fixed_pattern.hpp"
+#include "solver/projection/patch_centre.hpp"
 #include "solver/projection/projection_sources.hpp"
 
 namespace crawford {
@@ -56,7 +57,13 @@ private:
 
     void assemble(const SurfaceField& surface, double dt);
     void add_cells(const SurfaceField& surface, double dt);
-    void relax_checkerboards(const SurfaceField& surface);
+    void add_patches(const SurfaceField& surface, double dt);
+    ElementMatrix cell_matrix(const SurfaceField& surface, int i, int j, double dt) const;
+    PatchMatrix patch_matrix(const SurfaceField& surface, const Patch& patch, double dt) const;
+    int solve_condensed(Eigen::VectorXd force, Eigen::VectorXd& v);
+    Eigen::Vector2d at(const Eigen::VectorXd& nodal, const Node& node) const {
+        return nodal.segment<2>(matrix_.unknown(node, 0));
+    }
     Balance balance(const StressField& stress, const NodeVectors* velocity,
                     const SurfaceField& surface, double time) const;
     void add_stress(Balance& forces, const StressField& stress, const NodeVectors* velocity,
@@ -76,6 +83,8 @@ private:
     double solver_tolerance_;
     double viscous_time_;
     FixedPattern matrix_;
+    Lattice<char> in_patch_;            ///< 1 for a cell that belongs to a patch
+    std::vector<PatchCentre> centres_;  ///< of the patches; empty where none is taken out
     std::unique_ptr<SpdSolver> solver_;
 };
 

@@ -22,12 +22,13 @@ void StressStep::predict(StressField& stress, const StressField& carried, const 
     StressField next = stress;
     for (int i = 0; i < grid_.cell_columns(); ++i)
         for (int j = 0; j < grid_.rows(); ++j) {
+            const Carried here = carried_at(i, j, motion);
             for (int k = 0; k < stress.points(); ++k) {
                 Deviator& s = next.deviator[size_t(k)](i, j);
-                s = s + dt * deviator_rate(carried, k, i, j, motion, dt);
+                s = s + dt * deviator_rate(carried, k, here, dt);
             }
             double& p = next.pressure(i, j);
-            p += dt * pressure_rate(carried, i, j, motion);
+            p += dt * pressure_rate(carried.pressure, here);
             if (!temperature_rate.empty())
                 p += dt * materials_.thermal_stress(i, j, thermal_stress_) * temperature_rate(i, j);
         }
@@ -35,52 +36,56 @@ void StressStep::predict(StressField& stress, const StressField& carried, const 
     stress = std::move(next);
 }
 
-/// Velocity across the grid in cells per second:
-/// (u/(dx/di), vbar/(d eta/dj)), vbar = v - phi_t - u phi_x.
-Vector StressStep::grid_velocity(const Cell& cell, const std::array<Node, 4>& nodes, int j,
-                                 Local at, const SolidMotion& motion) const {
-    std::array<Vector, 4> relative;
-    for (size_t k = 0; k < 4; ++k) relative[k] = relative_velocity(motion, nodes[k]);
-    const Vector w = interpolate(relative, at);
-    const double metric = (1.0 - at.b) * grid_.metric(j) + at.b * grid_.metric(j + 1);
-    return {w.x() / grid_.metric_x(nodes[0].i, at.a), (w.y() - w.x() * cell.slope) / metric};
+StressStep::Carried StressStep::carried_at(int i, int j, const SolidMotion& motion) const {
+    const auto nodes = corners(grid_, i, j);
+    Carried here{.i = i,
+                 .j = j,
+                 .cell = Cell(grid_, motion.surface, i, j),
+                 .velocity = gather(motion.velocity, nodes),
+                 .relative = {},
+                 .row = neighbours_.along_row(i, j),
+                 .column = neighbours_.along_column(i, j)};
+    for (size_t k = 0; k < 4; ++k) here.relative[k] = relative_velocity(motion, nodes[k]);
+    return here;
 }
 
-Deviator StressStep::deviator_rate(const StressField& stress, int point, int i, int j,
-                                   const SolidMotion& motion, double dt) const {
-    const Cell cell(grid_, motion.surface, i, j);
-    const auto nodes = corners(grid_, i, j);
+/// Velocity across the grid in cells per second:
+/// (u/(dx/di), vbar/(d eta/dj)), vbar = v - phi_t - u phi_x.
+Vector StressStep::grid_velocity(const Carried& here, Local at) const {
+    const int j = here.j;
+    const Vector w = interpolate(here.relative, at);
+    const double metric = (1.0 - at.b) * grid_.metric(j) + at.b * grid_.metric(j + 1);
+    return {w.x() / grid_.metric_x(here.i, at.a), (w.y() - w.x() * here.cell.slope) / metric};
+}
+
+Deviator StressStep::deviator_rate(const StressField& stress, int point, const Carried& here,
+                                   double dt) const {
     const Local at = stress_points(element_)[size_t(point)];
-    const Vector w = grid_velocity(cell, nodes, j, at, motion);
+    const Vector w = grid_velocity(here, at);
     if (!(std::abs(w.x()) * dt <= 1.0 && std::abs(w.y()) * dt <= 1.0))
         throw NumericalFailure({.kind = FailureFields::Kind::beyond_limit,
                                 .module = "stress",
                                 .quantity = "cells that the material crosses in one step",
                                 .value = dt * w.cwiseAbs().maxCoeff(),
                                 .limit = FailureLimit{.value = 1.0},
-                                .place = FailurePlace{"cell", i, j},
+                                .place = FailurePlace{"cell", here.i, here.j},
                                 .advice = "reduce time.step"});
 
-    Deviator rate =
-        -w.y() * upwind_derivative(neighbours_.along_column(stress, point, i, j), w.y());
+    Deviator rate = -w.y() * upwind_derivative(stress, point, here.column, w.y());
     if (grid_.cell_columns() > 1)
-        rate = rate - w.x() * upwind_derivative(neighbours_.along_row(stress, point, i, j), w.x());
+        rate = rate - w.x() * upwind_derivative(stress, point, here.row, w.x());
 
     // Jaumann rotation (paper eq. 39); sigma11 - sigma22 = s11 - s22.
-    const Eigen::Matrix2d grad_v = gradient(cell, gather(motion.velocity, nodes), at);
+    const Eigen::Matrix2d grad_v = gradient(here.cell, here.velocity, at);
     const double omega = 0.5 * (grad_v(1, 0) - grad_v(0, 1));
-    const Deviator& s = stress.deviator[size_t(point)](i, j);
+    const Deviator& s = stress.deviator[size_t(point)](here.i, here.j);
     return rate + omega * Deviator{-2.0 * s.s12, 2.0 * s.s12, s.s11 - s.s22};
 }
 
-double StressStep::pressure_rate(const StressField& stress, int i, int j,
-                                 const SolidMotion& motion) const {
-    const Cell cell(grid_, motion.surface, i, j);
-    const Vector w = grid_velocity(cell, corners(grid_, i, j), j, cell_centre, motion);
-    const CellField& p = stress.pressure;
-    double rate = -w.y() * upwind_derivative(neighbours_.along_column(p, i, j), w.y());
-    if (grid_.cell_columns() > 1)
-        rate -= w.x() * upwind_derivative(neighbours_.along_row(p, i, j), w.x());
+double StressStep::pressure_rate(const CellField& pressure, const Carried& here) const {
+    const Vector w = grid_velocity(here, cell_centre);
+    double rate = -w.y() * upwind_derivative(pressure, here.column, w.y());
+    if (grid_.cell_columns() > 1) rate -= w.x() * upwind_derivative(pressure, here.row, w.x());
     return rate;
 }
 

@@ -5,6 +5,8 @@
 /// the velocity that the projection found. Advection is WENO3 within one material.
 #pragma once
 
+#include <array>
+
 #include "solver/element/checkerboard.hpp"
 #include "solver/element/element.hpp"
 #include "solver/mesh/solid_motion.hpp"
@@ -43,11 +45,20 @@ public:
     void soften(StressField& stress, const CellField& before) const;
 
 private:
-    Vector grid_velocity(const Cell& cell, const std::array<Node, 4>& nodes, int j, Local at,
-                         const SolidMotion& motion) const;
-    Deviator deviator_rate(const StressField& stress, int point, int i, int j,
-                           const SolidMotion& motion, double dt) const;
-    double pressure_rate(const StressField& stress, int i, int j, const SolidMotion& motion) const;
+    /// What all the points of a cell share.
+    struct Carried {
+        int i, j;
+        Cell cell;
+        std::array<Vector, 4> velocity;  ///< of the corners [m/s]
+        std::array<Vector, 4> relative;  ///< the same, seen from the grid
+        Reach row, column;
+    };
+
+    Carried carried_at(int i, int j, const SolidMotion& motion) const;
+    Vector grid_velocity(const Carried& here, Local at) const;
+    Deviator deviator_rate(const StressField& stress, int point, const Carried& here,
+                           double dt) const;
+    double pressure_rate(const CellField& pressure, const Carried& here) const;
     void add_source(StressField& stress, const SurfaceField& surface, double time, double dt) const;
 
     const Grid& grid_;

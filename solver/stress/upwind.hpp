@@ -1,21 +1,10 @@
 /// Upwind differences among cells that hold the same material.
 #pragma once
 
-#include <array>
-
 #include "solver/element/stress_field.hpp"
 #include "solver/mesh/weno.hpp"
 
 namespace crawford {
-
-/// A cell and two neighbours on each side of it, in one direction of the grid. A neighbour is
-/// closed where it lies beyond the grid or in another material, or behind a closed one: its value
-/// is not read.
-template <class Value>
-struct Neighbourhood {
-    std::array<Value, 5> value;
-    std::array<bool, 5> open;
-};
 
 // Differences of 1 kPa between neighbours are smooth: stresses that matter are MPa.
 constexpr double smooth_stress_squared = 1e6;  // [Pa^2]
@@ -31,24 +20,26 @@ inline Deviator upwind_derivative(const UpwindDifferences<Deviator>& d) {
     return {component(&Deviator::s11), component(&Deviator::s22), component(&Deviator::s12)};
 }
 
-/// Undivided derivative at the middle cell for a flow of the sign of `velocity`: third-order WENO
-/// where all cells are open; second order, one-sided or central, where one is not; zero where the
-/// upwind neighbour is closed, so that what flows in is what is there.
-template <class Value>
-Value upwind_derivative(const Neighbourhood<Value>& f, double velocity) {
-    const bool forward = velocity > 0.0;
-    const double sign = forward ? 1.0 : -1.0;
-    const auto at = [&](int k) { return size_t(forward ? 2 + k : 2 - k); };
-    const auto difference = [&](int k) { return sign * (f.value[at(k)] - f.value[at(k - 1)]); };
-
-    if (!f.open[at(-1)]) return Value{};
-    const Value near = difference(0);
-    const bool has_far = f.open[at(-2)];
-    const bool has_ahead = f.open[at(1)];
+/// Undivided derivative at the middle of five cells for a flow of the sign of `velocity`:
+/// third-order WENO where all cells are open; second order, one-sided or central, where one is not;
+/// zero where the upwind neighbour is closed, so that what flows in is what is there.
+/// \param open open(k): whether the cell k places on, -2 to 2, may be read
+/// \param value value(k): what it holds; not asked of a closed one
+template <class Value, class Open, class Read>
+Value upwind_derivative(double velocity, const Open& open, const Read& value) {
+    const int side = velocity > 0.0 ? 1 : -1;
+    if (!open(-side)) return Value{};
+    const Value here = value(0);
+    const Value behind = value(-side);
+    const Value near = double(side) * (here - behind);
+    const bool has_far = open(-2 * side);
+    const bool has_ahead = open(side);
     if (!has_far && !has_ahead) return near;
-    if (!has_far) return 0.5 * (near + difference(1));
-    if (!has_ahead) return 1.5 * near - 0.5 * difference(-1);
-    return upwind_derivative(UpwindDifferences<Value>{difference(-1), near, difference(1)});
+    const auto ahead = [&] { return double(side) * (value(side) - here); };
+    const auto far = [&] { return double(side) * (behind - value(-2 * side)); };
+    if (!has_far) return 0.5 * (near + ahead());
+    if (!has_ahead) return 1.5 * near - 0.5 * far();
+    return upwind_derivative(UpwindDifferences<Value>{far(), near, ahead()});
 }
 
 }  // namespace crawford
