@@ -41,7 +41,7 @@ void refine_rows(Scene& scene) {
                                    std::min(most, int(std::ceil(scene.domain.ny * peclet / fine))));
 }
 
-/// A window that its bottom does not cool, with rows as high as before.
+/// A window that its bottom does not cool, with rows as high as before if they need not be many.
 void deepen(Scene& scene) {
     constexpr double enough = 8.0, most = 20.0;
     const double layers = number_of(predicted(resolved(scene)), "layers_in_window");
@@ -51,12 +51,27 @@ void deepen(Scene& scene) {
     scene.domain.ny = int(std::ceil(scene.domain.ny * times));
 }
 
-void shorten_step(Scene& scene) {
+/// Where a run ends that is asked for this [s]: equal steps may pass the end.
+double reached(const Time& time) {
+    return time.accuracy ? time.end : double(last_step(time)) * time.step;
+}
+
+void end_with_a_step(Time& time) {
+    time.step = time.end / std::ceil(time.end / time.step);
+}
+
+/// A step that follows the burning, whatever the setting's own.
+void choose_step(Scene& scene) {
+    constexpr double probe = 20.0 * us;  // also where nothing is known of the burning
+    constexpr double fewest = 400.0;
+    scene.time.step = probe;
     const Guards numbers = predicted(resolved(scene));
-    constexpr double followed = 0.05, crossed = 0.4;
-    const double times = std::max({number_of(numbers, "front_coupling") / followed,
-                                   number_of(numbers, "crossing_y") / crossed, 1.0});
-    scene.time.step /= times;
+    constexpr double followed = 0.03, crossed = 0.4;
+    const double front = number_of(numbers, "front_coupling") / followed;
+    const double rows = number_of(numbers, "crossing_y") / crossed;
+    if (front > 0.0) scene.time.step = probe / std::max(front, rows);
+    scene.time.step = std::min(scene.time.step, scene.time.end / fewest);
+    end_with_a_step(scene.time);
 }
 
 /// By quantity and relative difference.
@@ -121,18 +136,16 @@ Scene finer(Scene scene) {
 }
 
 Scene finest(const Scene& scene) {
-    const double end = double(last_step(scene.time)) * scene.time.step;
     Scene fine = finer(scene);
-    fine.time.scheme = Stepping::euler;
+    fine.time = {.end = reached(scene.time)};
     fine.numerics.element = Element::bbar;
-    fine.time.accuracy.reset();
-    if (scene.time.accuracy) fine.time.step = 20.0 * us;
     deepen(fine);
+    constexpr int many_rows = 400;
+    fine.domain.ny = std::clamp(fine.domain.ny, 2 * scene.domain.ny,
+                                std::max(many_rows, 2 * scene.domain.ny));
     refine_rows(fine);
-    shorten_step(fine);
+    choose_step(fine);
     if (fine.physics.mechanics && is_refused(fine)) fine.numerics.coupling = Coupling::lagged;
-    fine.time.end = scene.time.accuracy ? scene.time.end : end;
-    fine.time.step = fine.time.end / std::ceil(fine.time.end / fine.time.step);
     return fine;
 }
 
@@ -157,7 +170,9 @@ Judged judge(const Scene& scene) {
     if (!truth.burns) return judged;
     std::tie(judged.quantity, judged.error) = difference(judged.found, truth);
     if (!judged.found.refused && judged.found.burns) return judged;
-    if (const auto better = advised(scene, judged.found.said)) {
+    if (auto better = advised(scene, judged.found.said)) {
+        better->time.end = reached(scene.time);
+        end_with_a_step(better->time);
         const Answer helped = burn_in_any_case(*better);
         judged.misled = helped.refused || difference(helped, truth).second > wrong;
     }

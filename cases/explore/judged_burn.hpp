@@ -30,8 +30,8 @@ Answer burn_in_any_case(const Scene& scene);
 /// coupling number.
 Scene finer(Scene scene);
 
-/// As finer(), and finer still until no number of the slabs is near its limit: rows, depth, step.
-/// It ends at the same time.
+/// As finer(), with rows, depth and step by which no number of its slabs is near its limit, by the
+/// paper's scheme and element. It ends at the same time.
 Scene finest(const Scene& scene);
 
 /// The scene with the step that the words advise, if they name one: "reduce time.step to 7.6 us".

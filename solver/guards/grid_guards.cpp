@@ -135,15 +135,12 @@ Guard crossing_y(double cells) {
 
 Guard predicted_crossing_y(const Scene& scene, const Grid& grid, double burn_rate) {
     Guard guard = crossing_y(burn_rate * scene.time.step / lowest_row(grid));
+    if (!scene.physics.mechanics || guard.beyond == Beyond::nothing) return guard;
+    guard.longest_step = scene.time.step / guard.value;
+    guard.text = "the solid would cross more rows in a step than stress can be carried";
     // A part that burns by itself may burn faster than it will beside another.
     constexpr double beyond_doubt = 1.5;
-    if (scene.physics.mechanics && guard.value > beyond_doubt) {
-        guard.beyond = Beyond::refusal;
-        guard.text = fmt::format(
-            "the solid would cross more rows in a step than stress can be carried; reduce "
-            "time.step to {:g} us or less",
-            rounded_down(1e6 * scene.time.step / guard.value));
-    }
+    if (guard.value > beyond_doubt) guard.beyond = Beyond::refusal;
     return guard;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.hpp"
 #include "solver/guards/burning_guards.hpp"
@@ -48,6 +49,36 @@ TEST(Predicted, SlabBurnsAsTheSolverDoes) {
     run_steps(simulation, 4000);
     EXPECT_NEAR(slab.burn_rate / simulation.summary().mean_burn_rate, 1.0, 1e-3);
     EXPECT_NEAR(slab.surface_temperature, simulation.summary().largest_temperature, 0.2);
+}
+
+double burnt(const Scene& scene) {
+    Simulation simulation(scene);
+    run_to_end(simulation);
+    return -simulation.state().surface[0];
+}
+
+TEST(Predicted, AShortBurnInFewStepsIsSpokenOf) {
+    Scene scene = burning_slab(8.368e6);
+    scene.time = {.step = 80e-6, .end = 4.96e-3};
+    Scene fine = scene;
+    fine.domain.ny = 192;
+    fine.time.step = 5e-6;
+    EXPECT_GT(std::abs(burnt(scene) / burnt(fine) - 1.0), 0.02);
+    EXPECT_EQ(named(predicted(scene), "ignition").beyond, Beyond::remark);
+
+    scene.time.end = fine.time.end = 40e-3;
+    EXPECT_LT(std::abs(burnt(scene) / burnt(fine) - 1.0), 0.005);
+    EXPECT_EQ(named(predicted(scene), "ignition").beyond, Beyond::nothing);
+}
+
+TEST(Predicted, AShortBurnInHighRowsIsSpokenOf) {
+    Scene scene = burning_slab(8.368e6, 24);
+    scene.domain.clustering = 0.0;
+    scene.time.end = 10e-3;
+    Scene fine = scene;
+    fine.domain.ny = 192;
+    EXPECT_GT(std::abs(burnt(scene) / burnt(fine) - 1.0), 0.02);
+    EXPECT_EQ(named(predicted(scene), "ignition").beyond, Beyond::remark);
 }
 
 TEST(Predicted, CoupledSlabBurnsAsTheSolverDoes) {
