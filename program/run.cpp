@@ -90,7 +90,8 @@ private:
         std::vector<Job> tasks = burnings(scenes, options_.out);
         for (const Entry* entry : chosen_) {
             if (entry->jobs)
-                for (Job& job : entry->jobs(fidelity_, options_.out)) tasks.push_back(std::move(job));
+                for (Job& job : entry->jobs(fidelity_, options_.out))
+                    tasks.push_back(std::move(job));
             if (!looks_at_others(*entry)) tasks.push_back(drawing(*entry));
         }
         return tasks;

@@ -88,8 +88,8 @@ private:
                 add(crossing(at(i + 1, j), at(i + 1, j + 1)), 0, 1, i + 1, j);
                 add(crossing(at(i, j + 1), at(i + 1, j + 1)), 1, 0, i, j + 1);
                 for (size_t k = 0; k + 1 < met.size(); k += 2)
-                    all.push_back({met[k].first, met[k].second, met[k + 1].first,
-                                   met[k + 1].second});
+                    all.push_back(
+                        {met[k].first, met[k].second, met[k + 1].first, met[k + 1].second});
             }
     }
 

@@ -13,19 +13,19 @@ namespace crawford {
 
 /// What is varied along a side of a map.
 struct ExtremeAxis {
-    std::string key;    ///< of the scene where there is one
-    std::string unit;   ///< "-" of a pure number
-    double scale;       ///< the unit in SI
-    std::string label;  ///< of the picture, with its unit
-    std::vector<double> values;                ///< ascending, in the unit; of words their numbers
-    std::function<void(Scene&, double)> put;   ///< takes SI
+    std::string key;                          ///< of the scene where there is one
+    std::string unit;                         ///< "-" of a pure number
+    double scale;                             ///< the unit in SI
+    std::string label;                        ///< of the picture, with its unit
+    std::vector<double> values;               ///< ascending, in the unit; of words their numbers
+    std::function<void(Scene&, double)> put;  ///< takes SI
     bool is_logarithmic = true;
     std::vector<std::string> words = {};  ///< where values are not numbers: the word of each
 };
 
 /// Where theory says that an answer ends.
 struct ExtremeLimit {
-    std::string guard;  ///< whose number it is (docs/limits.md)
+    std::string guard;         ///< whose number it is (docs/limits.md)
     std::optional<double> at;  ///< none: the guard's own limit
     std::string title;
     bool is_least = false;  ///< the number has to be above
@@ -38,7 +38,6 @@ struct ExtremeMap {
     ExtremeAxis x, y;
     std::vector<ExtremeLimit> limits = {};
     std::function<void(Scene&)> finish = {};  ///< what hangs on both axes: the end, say
-    double seconds = 5.0;  ///< that its points take on one core
 };
 
 /// A setting on a map.

@@ -24,12 +24,12 @@ const char* name(Standing standing);
 struct JudgedPoint {
     ExtremePoint point;
     Standing standing = Standing::wrong;
-    std::string quantity = {};      ///< in which it is furthest off
-    double error = 0.0;             ///< relative; NaN where nothing can be compared
-    std::string said = {};          ///< names of remarks, words of refusal and failure
-    bool needlessly = false;        ///< refused, and right when it is burnt all the same
-    bool misled = false;            ///< the step that it is advised to take does not help
-    bool is_sound() const;          ///< within `wrong`, whatever was said
+    std::string quantity = {};  ///< in which it is furthest off
+    double error = 0.0;         ///< relative; NaN where nothing can be compared
+    std::string said = {};      ///< names of remarks, words of refusal and failure
+    bool needlessly = false;    ///< refused, and right when it is burnt all the same
+    bool misled = false;        ///< the step that it is advised to take does not help
+    bool is_sound() const;      ///< within `wrong`, whatever was said
 };
 
 /// Records of the points, kept in out/records by the sources they are made of.

@@ -26,9 +26,8 @@ double number_of(const Guards& guards, const std::string& name) {
 }
 
 bool is_refused(const Scene& scene) {
-    return std::ranges::any_of(predicted(resolved(scene)), [](const Guard& guard) {
-        return guard.beyond == Beyond::refusal;
-    });
+    return std::ranges::any_of(predicted(resolved(scene)),
+                               [](const Guard& guard) { return guard.beyond == Beyond::refusal; });
 }
 
 /// Rows for what a slab's layer needs, and no more than so many.
@@ -141,8 +140,8 @@ Scene finest(const Scene& scene) {
     fine.numerics.element = Element::bbar;
     deepen(fine);
     constexpr int many_rows = 400;
-    fine.domain.ny = std::clamp(fine.domain.ny, 2 * scene.domain.ny,
-                                std::max(many_rows, 2 * scene.domain.ny));
+    fine.domain.ny =
+        std::clamp(fine.domain.ny, 2 * scene.domain.ny, std::max(many_rows, 2 * scene.domain.ny));
     refine_rows(fine);
     choose_step(fine);
     if (fine.physics.mechanics && is_refused(fine)) fine.numerics.coupling = Coupling::lagged;

@@ -47,7 +47,7 @@ struct Judged {
     bool can_be_judged = false;  ///< the finest one burns
     std::string quantity = {};   ///< in which it is furthest off
     double error = 1.0;          ///< relative; 1 of what does not burn to its end
-    bool misled = false;         ///< the step that it is advised to take is refused or wrong as well
+    bool misled = false;  ///< the step that it is advised to take is refused or wrong as well
 };
 
 /// Against finest(). What is not yet alight is judged by its temperature.

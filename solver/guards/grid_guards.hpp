@@ -2,6 +2,8 @@
 /// cell in a step?
 #pragma once
 
+#include <optional>
+
 #include "solver/guards/guard.hpp"
 #include "solver/guards/steady_slab.hpp"
 #include "solver/mesh/grid.hpp"
@@ -15,6 +17,9 @@ Guard cell_peclet(const Grid& grid, const Material& material, double burn_rate);
 double deepest_undershoot(const Scene& scene, const Grid& grid, const Material& material,
                           const SteadySlab& slab);
 Guard undershoot(double kelvin);
+
+/// Columns in the thinnest layer of a sandwich, as wide as they are in the mean.
+std::optional<Guard> columns_in_layer(const Scene& scene);
 
 /// Thermal layers D/r_b over the depth of the window.
 Guard layers_in_window(const Scene& scene, const Material& material, double burn_rate);

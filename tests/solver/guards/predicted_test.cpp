@@ -81,6 +81,21 @@ TEST(Predicted, AShortBurnInHighRowsIsSpokenOf) {
     EXPECT_EQ(named(predicted(scene), "ignition").beyond, Beyond::remark);
 }
 
+TEST(Predicted, AStripOfOneColumnIsSpokenOf) {
+    Scene scene = burning_slab(8.368e6, 48);
+    scene.domain.width = 240e-6;
+    scene.domain.nx = 48;
+    scene.domain.half = true;
+    scene.morphology = {.shape = Sandwich{5e-6},
+                        .materials = {ammonium_perchlorate(), htpb_binder()}};
+    scene.surface.heat_flux = {8.368e6, 0.8 * 8.368e6};
+    const Guard one = named(predicted(scene), "columns_in_layer");
+    EXPECT_EQ(one.beyond, Beyond::remark);
+    EXPECT_THAT(one.text, HasSubstr("domain.nx to 144 or more"));
+    scene.domain.nx = 144;
+    EXPECT_EQ(named(predicted(scene), "columns_in_layer").beyond, Beyond::nothing);
+}
+
 TEST(Predicted, CoupledSlabBurnsAsTheSolverDoes) {
     Scene scene = testing::slab(htpb_binder(), 192);
     scene.domain.clustering = 2.0;
