@@ -62,14 +62,14 @@ void end_with_a_step(Time& time) {
 /// A step that follows the burning, whatever the setting's own.
 void choose_step(Scene& scene) {
     constexpr double probe = 20.0 * us;  // also where nothing is known of the burning
-    constexpr double fewest = 400.0;
+    constexpr double fewest = 400.0, most = 25'000.0;
     scene.time.step = probe;
     const Guards numbers = predicted(resolved(scene));
     constexpr double followed = 0.03, crossed = 0.4;
     const double front = number_of(numbers, "front_coupling") / followed;
     const double rows = number_of(numbers, "crossing_y") / crossed;
     if (front > 0.0) scene.time.step = probe / std::max(front, rows);
-    scene.time.step = std::min(scene.time.step, scene.time.end / fewest);
+    scene.time.step = std::clamp(scene.time.step, scene.time.end / most, scene.time.end / fewest);
     end_with_a_step(scene.time);
 }
 
