@@ -116,7 +116,7 @@ void add_axis(reports::Figure& figure, const ExtremeMap& map, const std::string&
     set("to", value_at(axis, last_place(axis)));
     std::string tics;
     for (size_t k = 0; k < axis.words.size(); ++k)
-        tics += fmt::format("{}'{}' {}", k == 0 ? "" : ", ", axis.words[k], axis.values[k]);
+        tics += fmt::format("{}\"{}\" {}", k == 0 ? "" : ", ", axis.words[k], axis.values[k]);
     set("tics", tics);
 }
 

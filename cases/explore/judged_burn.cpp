@@ -89,9 +89,12 @@ std::pair<std::string, double> difference(const Answer& found, const Answer& rig
 
 Answer burn_in_any_case(const Scene& scene) {
     Answer answer;
+    const auto add = [&](const std::string& words) {
+        answer.said += (answer.said.empty() ? "" : "; ") + words;
+    };
     const auto say = [&](const Guards& guards) {
         for (const Guard& guard : guards)
-            if (answer.said.find(guard.name) == std::string::npos) answer.said += guard.name + ' ';
+            if (answer.said.find(guard.name) == std::string::npos) add(guard.name);
     };
     const Guards before = predicted(scene);
     say(remarks(before));
@@ -99,7 +102,7 @@ Answer burn_in_any_case(const Scene& scene) {
         refuse(before);
     } catch (const InputError& refusal) {
         answer.refused = true;
-        answer.said += refusal.what();
+        add(refusal.what());
     }
     Simulation simulation(scene);
     Watch watch(simulation);
@@ -109,7 +112,7 @@ Answer burn_in_any_case(const Scene& scene) {
     try {
         run_to_end(simulation, {listen});
     } catch (const NumericalFailure& failure) {
-        answer.said += failure.what();
+        add(failure.what());
         return answer;
     }
     answer.burns = true;

@@ -79,6 +79,23 @@ std::optional<Guard> columns_in_layer(const Scene& scene) {
     return guard;
 }
 
+Guard column_peclet(const Scene& scene, const Grid& grid, const Material& m,
+                    const SteadySlab& slab) {
+    const double g = scene.physics.mechanics
+                         ? coupling_number(coupled(m, scene.numerics), Coupling::lagged,
+                                           slab.surface_temperature)
+                         : 0.0;
+    // Measured: binder of a thousand times its bulk modulus, 160, burns 2.3 % off beside AP and
+    // converges at first order in the columns; at 2, 1 %.
+    constexpr double held = 10.0;
+    return no_more_than(
+        "column_peclet", slab.burn_rate * narrowest_column(grid) * (1.0 + g) / m.diffusivity(),
+        held,
+        fmt::format("heat that enters {} from the side stays in one column, it converges slowly; "
+                    "raise domain.nx or domain.clustering_x",
+                    m.name));
+}
+
 Guard layers_in_window(const Scene& scene, const Material& material, double burn_rate) {
     constexpr double limit = 5.0;  // e^-5 of the rise is left at the bottom
     Guard guard{.name = "layers_in_window",

@@ -108,6 +108,10 @@ Guards numbers_of(const Scene& scene) {
                 add_worst(guards, layers_in_window(scene, material, fastest));
         guards.push_back(predicted_crossing_y(scene, grid, fastest));
         if (grid.cell_columns() == 1) return guards;
+        for (const Part& part : parts)
+            if (parts.size() > 1 && part.burns())
+                add_worst(guards, column_peclet(scene, grid, part.material,
+                                                {part.answer.slab.surface_temperature, fastest}));
         guards.push_back(front_crossing(fastest * scene.time.step / narrowest_column(grid)));
         if (scene.physics.regression == Regression::pyrolysis)
             guards.push_back(told(slope(predicted_slope(scene, fastest))));

@@ -72,7 +72,7 @@ TEST_F(FigureRecords, KeepFilesForOtherPrograms) {
     EXPECT_EQ(content(out_ / "one.json"), "{}");
     drawn.draw();  // the script knows nothing of it
     const auto read = nlohmann::ordered_json(drawn.contents()).get<FigureContents>();
-    EXPECT_EQ(read, drawn.contents());
+    EXPECT_EQ(read.tables, drawn.contents().tables);
     EXPECT_EQ(read.data().back(), "../one.json");
 }
 

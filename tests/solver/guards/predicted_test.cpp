@@ -96,6 +96,13 @@ TEST(Predicted, AStripOfOneColumnIsSpokenOf) {
     EXPECT_EQ(named(predicted(scene), "columns_in_layer").beyond, Beyond::nothing);
 }
 
+TEST(Predicted, HeatThatStaysInAColumnIsSpokenOf) {
+    Scene scene = testing::sandwich(24, 24);
+    EXPECT_EQ(named(predicted(scene), "column_peclet").beyond, Beyond::nothing);
+    scene.morphology.materials[1].bulk_modulus *= 1000.0;
+    EXPECT_EQ(named(predicted(scene), "column_peclet").beyond, Beyond::remark);
+}
+
 TEST(Predicted, CoupledSlabBurnsAsTheSolverDoes) {
     Scene scene = testing::slab(htpb_binder(), 192);
     scene.domain.clustering = 2.0;
