@@ -72,7 +72,9 @@ private:
     static double along(const ExtremeAxis& axis, double part, int parts) {
         if (!axis.words.empty()) return part;
         const double first = first_place(axis), last = last_place(axis);
-        return value_at(axis, first + (last - first) * part / parts);
+        const double value = value_at(axis, first + (last - first) * part / parts);
+        const bool can_be_negative = axis.values.front() < 0.0;
+        return can_be_negative ? value : std::max(value, 0.0);
     }
 
     /// Marching squares.

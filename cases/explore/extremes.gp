@@ -8,8 +8,9 @@ line_colour(k) = word('#000000 #cc79a7 #009e73', k)
 unset offsets
 set border 15
 set grid noxtics noytics
-set tmargin 6
+set tmargin 7
 set bmargin 7
+set key noenhanced
 set rmargin 3
 
 do for [m in maps] {

@@ -110,7 +110,7 @@ std::vector<ExtremeMap> maps_of_sandwiches() {
              property(expansion, "materials.binder.thermal_expansion",
                       "thermal expansion of binder over the paper's", {0.3, 0.7, 1.0, 1.4, 2.2}),
              couplings(),
-             {{"coupling", {}, "coupling number at the limit of the scheme"}}},
+             {{"coupling", {}, "limit of the coupling"}}},
             {"r",
              "sandwich with stress, pressure",
              coupled(16, 24),

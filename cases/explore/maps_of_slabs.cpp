@@ -124,7 +124,7 @@ std::vector<ExtremeMap> maps_of_slabs() {
                       "thermal expansion over the paper's",
                       {0.1, 0.3, 0.5, 0.7, 1.0, 1.4, 1.8, 2.2, 3.0}),
              couplings(),
-             {{"coupling", {}, "coupling number at the limit of the scheme"}}},
+             {{"coupling", {}, "limit of the coupling"}}},
             {"e",
              "slab of AP, exothermic surface",
              burning_slab(ap, 1.0),

@@ -18,7 +18,7 @@ double deepest_undershoot(const Scene& scene, const Grid& grid, const Material& 
                           const SteadySlab& slab);
 Guard undershoot(double kelvin);
 
-/// Columns in the thinnest layer of a sandwich, as wide as they are in the mean.
+/// Columns in the thinnest layer of a sandwich or across the smallest disc, as wide as they are in the mean.
 std::optional<Guard> columns_in_layer(const Scene& scene);
 
 /// r_b dx (1 + g)/D, g = T beta_w beta_s/(P rho c): the columns' Peclet number for heat that enters
