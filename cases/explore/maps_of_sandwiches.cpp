@@ -17,6 +17,7 @@ using namespace extreme;
 const ExtremeLimit followed{"front_coupling", 0.5, "front_coupling 0.5"};
 const ExtremeLimit alternating{"front_coupling", 2.0, "front_coupling 2"};
 const ExtremeLimit peclet{"cell_peclet", 2.0, "cell Peclet number 2"};
+const ExtremeLimit layers{"layers_in_window", 5.0, "5 layers in the window", true};
 const ExtremeLimit crossing{"crossing_y", 1.0, "a row crossed in a step"};
 
 Scene coupled(int columns, int rows) {
@@ -92,7 +93,7 @@ std::vector<ExtremeMap> maps_of_sandwiches() {
              half_sandwich(32, 1.0),
              flux({0.3, 0.5, 1.0, 2.0, 4.0}),
              step({20, 80, 160, 320, 640, 1280}),
-             {followed, alternating},
+             {followed, alternating, layers},
              burn_as_far},
             {"o",
              "rigid sandwich, strip and slow binder",
