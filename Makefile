@@ -46,7 +46,7 @@ define tidy_database
 	  > build/tidy/compile_commands.json
 endef
 
-.PHONY: help deps tools program build test verify mutants figures ledger bench format check-format tidy tidy-changed clean
+.PHONY: help deps tools program build test verify mutants figures ledger extremes bench format check-format tidy tidy-changed clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
@@ -57,6 +57,7 @@ help:
 	@echo 'make figures  the figures of the paper and the ledger of its claims, with their pages: read'
 	@echo '              $(OUT)/figures/index.html (FIDELITY=draft|paper|fine, now $(FIDELITY)). What was cut off goes on'
 	@echo 'make ledger   settle the ledger anew: readings, refinements, other packs (hours)'
+	@echo 'make extremes maps of where answers stand, far from the paper: $(OUT)/figures/extremes.html'
 	@echo 'make bench    how fast the parts are'
 	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
 	@echo 'make format   put all sources into the one format; make check-format only looks'
@@ -95,6 +96,12 @@ figures: program
 ledger: program
 	@build/crawford ledger --settle --fidelity $(FIDELITY) --out $(OUT)
 	@if [ $(FIDELITY) = paper ]; then cp $(OUT)/figures/ledger.json results/ledger.json; fi
+
+# Nothing may be wrong without a word.
+extremes: program
+	@build/crawford run extremes --fidelity $(FIDELITY) --out $(OUT)
+	@if grep -q '"class": "wrong"' $(OUT)/extremes.json; then \
+	  echo 'make extremes: answers are wrong without a word; see $(OUT)/figures/extremes.html'; exit 1; fi
 
 bench: program
 	@cmake --build --preset release --target bench bench_with_regions --parallel $(JOBS)

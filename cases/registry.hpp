@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/job_queue.hpp"
 #include "cases/physics.hpp"
 #include "reports/figure.hpp"
 #include "reports/study.hpp"
@@ -67,6 +68,8 @@ struct Entry {
     /// The scenes whose burns `draw` will ask for (kept_burn.hpp), so that they can be made side
     /// by side before.
     std::function<std::vector<Scene>(Fidelity)> burns = {};
+    /// What else `draw` will look for among the records of `out`: made side by side before.
+    std::function<std::vector<Job>(Fidelity, const std::filesystem::path& out)> jobs = {};
     /// Draws <case>.gif instead, for `crawford run --movie`; and the burns that it will ask for.
     std::function<Outcome(const Request&)> draw_movie = {};
     std::function<std::vector<Scene>(Fidelity)> movie_burns = {};

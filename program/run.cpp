@@ -69,7 +69,7 @@ private:
             tell_failure(job.name, failure);
         };
         run_told(burns_and_plain_cases(), narrator_, failed);
-        run_told(cases_of_burns(), narrator_, failed);
+        run_told(cases_that_look_at_others(), narrator_, failed);
     }
 
     bool is_up_to_date(const Entry& entry) {
@@ -88,22 +88,28 @@ private:
             if (entry->burns)
                 for (const Scene& scene : entry->burns(fidelity_)) scenes.push_back(scene);
         std::vector<Job> tasks = burnings(scenes, options_.out);
-        for (const Entry* entry : chosen_)
-            if (!entry->burns) tasks.push_back(drawing(*entry));
+        for (const Entry* entry : chosen_) {
+            if (entry->jobs)
+                for (Job& job : entry->jobs(fidelity_, options_.out))
+                    tasks.push_back(std::move(job));
+            if (!looks_at_others(*entry)) tasks.push_back(drawing(*entry));
+        }
         return tasks;
     }
 
-    std::vector<Job> cases_of_burns() {
+    static bool looks_at_others(const Entry& entry) { return entry.burns || entry.jobs; }
+
+    std::vector<Job> cases_that_look_at_others() {
         std::vector<Job> tasks;
         for (const Entry* entry : chosen_)
-            if (entry->burns) tasks.push_back(drawing(*entry));
+            if (looks_at_others(*entry)) tasks.push_back(drawing(*entry));
         return tasks;
     }
 
     Job drawing(const Entry& entry) {
-        // What looks at burns that are there takes a second, whatever the burns took.
+        // What looks at what is there takes a second, whatever that took.
         const double cost = fidelity_ == Fidelity::draft ? entry.cost.draft : entry.cost.paper;
-        return {entry.name, entry.burns ? 1.0 : cost,
+        return {entry.name, looks_at_others(entry) ? 1.0 : cost,
                 [this, &entry](const Job::Progress& progress) { draw(entry, progress); }};
     }
 

@@ -51,6 +51,7 @@ std::string prelude(const FigureContents& contents, const fs::path& directory,
     };
     set("caption", quoted(contents.caption));
     for (const Table& table : contents.tables) {
+        if (table.kind == Table::Kind::other) continue;
         set("data_" + table.name, quoted((directory / table.file).string()));
         if (table.kind != Table::Kind::columns)
             set("colours_" + table.name,

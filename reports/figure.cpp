@@ -49,6 +49,12 @@ Figure& Figure::map(const std::string& name, const QuadMap& quads) {
                csv(quads));
 }
 
+Figure& Figure::other(const std::string& name, const fs::path& file, const std::string& text) {
+    write_file(directory_ / file, text);
+    contents_.tables.push_back({checked_name(name), Table::Kind::other, file});
+    return *this;
+}
+
 Figure& Figure::add(const std::string& table, Table::Kind kind, const std::string& numbers) {
     const fs::path file = contents_.name + "_" + checked_name(table) + ".csv";
     write_file((scratch_ ? scratch_->path() : directory_) / file, numbers);

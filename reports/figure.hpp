@@ -53,6 +53,10 @@ public:
     /// A field on sloped quads, likewise; for `splot data_<name> using 1:2:3` after
     /// @colours_<name>.
     Figure& map(const std::string& name, const QuadMap& quads);
+    /// A file for other programs, listed with the numbers; `file` is below the figure's directory
+    /// or leads out of it.
+    Figure& other(const std::string& name, const std::filesystem::path& file,
+                  const std::string& text);
     /// Writes what table() and map() are given from now on where it is gone with the figure: the
     /// frames of a movie.
     Figure& forget_numbers();

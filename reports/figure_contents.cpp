@@ -24,8 +24,10 @@ std::string_view name(Table::Kind kind) {
             return "columns";
         case Table::Kind::corner_map:
             return "corner map";
-        default:
+        case Table::Kind::cell_map:
             return "cell map";
+        default:
+            return "other";
     }
 }
 

@@ -37,8 +37,9 @@ struct Panel {
 
 /// Numbers in a file: what the script knows as data_<name>.
 struct Table {
-    /// Columns, or a field on quadrilaterals with values at corners or cells.
-    enum class Kind { columns, corner_map, cell_map };
+    /// Columns, or a field on quadrilaterals with values at corners or cells; or a file for other
+    /// programs, which the script does not read.
+    enum class Kind { columns, corner_map, cell_map, other };
 
     std::string name;
     Kind kind = Kind::columns;
@@ -48,7 +49,7 @@ struct Table {
     bool operator==(const Table&) const = default;
 };
 
-/// "columns", "corner map", "cell map".
+/// "columns", "corner map", "cell map", "other".
 std::string_view name(Table::Kind kind);
 
 struct FigureContents {

@@ -23,7 +23,7 @@ Format format_named(const std::string& word) {
 
 Table::Kind kind_named(const std::string& word) {
     using Kind = Table::Kind;
-    return named(word, {Kind::columns, Kind::corner_map, Kind::cell_map});
+    return named(word, {Kind::columns, Kind::corner_map, Kind::cell_map, Kind::other});
 }
 
 /// A number that is not finite becomes null: gnuplot knows one such number only, NaN.

@@ -55,6 +55,7 @@ struct Record {
     std::string fingerprint = {};          ///< of what the answer depends on besides the setting
     std::vector<std::string> scenes = {};  ///< TOML, where the run says what it burnt
     std::optional<FigureContents> figure = {};  ///< where the run has drawn one
+    std::string said = {};  ///< what the solver said of a run whose words are judged
 };
 
 /// Runs `measure` and books what it took and how it ended; throws nothing.

@@ -132,6 +132,7 @@ void to_json(Json& json, const Record& record) {
     json["fingerprint"] = record.fingerprint;
     if (!record.scenes.empty()) json["scenes"] = record.scenes;
     if (record.figure) json["figure"] = *record.figure;
+    if (!record.said.empty()) json["said"] = record.said;
 }
 
 void from_json(const Json& json, Record& record) {
@@ -154,6 +155,7 @@ void from_json(const Json& json, Record& record) {
     for (const auto& quantity : json.at("quantities")) read_quantity(quantity, *record.found);
     if (json.contains("scenes")) json.at("scenes").get_to(record.scenes);
     if (json.contains("figure")) record.figure = json.at("figure").get<FigureContents>();
+    record.said = json.value("said", std::string());
 }
 
 }  // namespace crawford::reports

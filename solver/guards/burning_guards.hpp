@@ -39,6 +39,11 @@ Guard front_coupling(double number);  ///< as it is met: only told
 Guard predicted_front_crossing(const Scene& scene, const Grid& grid, const Material& material,
                                const SteadySlab& slab);
 
+/// How far what has burnt at the end is off since it began to burn, over what has burnt: a slab that
+/// burns r t is off by some r dt and 0.08 h^2 r/D.
+Guard ignition(const Scene& scene, const Grid& grid, const Material& material,
+               const SteadySlab& slab, double flux);
+
 /// Slope of the slowest material beside an interface that recedes at this rate [m/s]:
 /// r sqrt(1 + p^2) = V at the temperature at which another burns at V level.
 double predicted_slope(const Scene& scene, double regression_rate);

@@ -2,6 +2,8 @@
 /// cell in a step?
 #pragma once
 
+#include <optional>
+
 #include "solver/guards/guard.hpp"
 #include "solver/guards/steady_slab.hpp"
 #include "solver/mesh/grid.hpp"
@@ -15,6 +17,15 @@ Guard cell_peclet(const Grid& grid, const Material& material, double burn_rate);
 double deepest_undershoot(const Scene& scene, const Grid& grid, const Material& material,
                           const SteadySlab& slab);
 Guard undershoot(double kelvin);
+
+/// Columns in the thinnest layer of a sandwich or across the smallest disc, as wide as they are in the mean.
+std::optional<Guard> columns_in_layer(const Scene& scene);
+
+/// r_b dx (1 + g)/D, g = T beta_w beta_s/(P rho c): the columns' Peclet number for heat that enters
+/// from the side and is taken up by expansion. `slab` is as hot as the material and burns as fast as
+/// the whole.
+Guard column_peclet(const Scene& scene, const Grid& grid, const Material& material,
+                    const SteadySlab& slab);
 
 /// Thermal layers D/r_b over the depth of the window.
 Guard layers_in_window(const Scene& scene, const Material& material, double burn_rate);

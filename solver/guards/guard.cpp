@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "base/errors.hpp"
 
@@ -19,6 +20,17 @@ std::string in_words(const Guard& guard) {
 double rounded_down(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
     return std::floor(value / unit) * unit;
+}
+
+void advise_step(Guards& guards) {
+    double longest = std::numeric_limits<double>::infinity();
+    for (const Guard& guard : guards)
+        if (guard.beyond != Beyond::nothing && guard.longest_step)
+            longest = std::min(longest, *guard.longest_step);
+    for (Guard& guard : guards)
+        if (guard.beyond != Beyond::nothing && guard.longest_step)
+            guard.text +=
+                fmt::format("; reduce time.step to {:g} us or less", rounded_down(1e6 * longest));
 }
 
 bool is_worse(const Guard& a, const Guard& b) {

@@ -22,6 +22,8 @@ struct Guard {
     bool is_least = false;                       ///< the value has to be above the limit
     Beyond beyond = Beyond::nothing;
     std::string text = "";  ///< what it means beyond the limit, and what to do
+    /// [s] That it allows, where a shorter step helps: \see advise_step.
+    std::optional<double> longest_step = std::nullopt;
 };
 
 using Guards = std::vector<Guard>;
@@ -31,6 +33,10 @@ std::string in_words(const Guard& guard);
 
 /// To two digits, towards zero: what advice names must be within the limit.
 double rounded_down(double value);
+
+/// Advises the step that all allow which are beyond their limit: who takes the advice of one must
+/// not meet the next.
+void advise_step(Guards& guards);
 
 /// Whether `a` is further beyond its limit than `b` of the same name, or nearer to it.
 bool is_worse(const Guard& a, const Guard& b);

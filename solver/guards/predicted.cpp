@@ -75,13 +75,14 @@ void add_coupling(Guards& guards, const Scene& scene, const Material& material, 
     add_worst(guards, expansion_guard(scene, material, hottest));
 }
 
-}  // namespace
-
-Guards predicted(const Scene& scene) {
+/// What each number by itself says.
+Guards numbers_of(const Scene& scene) {
     const Grid grid(scene.domain, strip_side(scene));
     Guards guards;
     double fastest = scene.physics.regression == Regression::fixed ? scene.surface.burn_rate : 0.0;
-    for (const Part& part : parts_of(scene)) {
+    const std::vector<Part> parts = parts_of(scene);
+    const Part* leader = nullptr;  // what burns fastest, and first
+    for (const Part& part : parts) {
         if (auto without = burning_solution(scene, part.number, part.answer))
             add_worst(guards, std::move(*without));
         const double hottest =
@@ -93,19 +94,37 @@ Guards predicted(const Scene& scene) {
             add_worst(guards, relaxation(scene, grid, part.material));
         }
         if (scene.physics.mechanics) add_worst(guards, pressing(scene, grid, part.material));
-        if (part.burns() && add_burning(guards, scene, grid, part))
+        if (part.burns() && add_burning(guards, scene, grid, part)) {
+            if (part.burn_rate() > fastest) leader = &part;
             fastest = std::max(fastest, part.burn_rate());
+        }
     }
+    if (leader != nullptr && scene.physics.regression == Regression::pyrolysis)
+        guards.push_back(ignition(scene, grid, leader->material, leader->answer.slab,
+                                  scene.surface.heat_flux[leader->number]));
     if (fastest > 0.0) {
+        if (auto columns = columns_in_layer(scene)) guards.push_back(std::move(*columns));
         // The slower part is carried along: the faster side leads.
         if (scene.physics.heat)
             for (const Material& material : scene.morphology.materials)
                 add_worst(guards, layers_in_window(scene, material, fastest));
         guards.push_back(predicted_crossing_y(scene, grid, fastest));
         if (grid.cell_columns() == 1) return guards;
+        for (const Part& part : parts)
+            if (parts.size() > 1 && part.burns())
+                add_worst(guards, column_peclet(scene, grid, part.material,
+                                                {part.answer.slab.surface_temperature, fastest}));
         if (scene.physics.regression == Regression::pyrolysis)
             guards.push_back(told(slope(predicted_slope(scene, fastest))));
     }
+    return guards;
+}
+
+}  // namespace
+
+Guards predicted(const Scene& scene) {
+    Guards guards = numbers_of(scene);
+    advise_step(guards);
     return guards;
 }
 

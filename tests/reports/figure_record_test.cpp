@@ -66,6 +66,16 @@ Record record_of(const Figure& figure) {
     return record;
 }
 
+TEST_F(FigureRecords, KeepFilesForOtherPrograms) {
+    Figure drawn = figure();
+    drawn.other("json", "../one.json", "{}");
+    EXPECT_EQ(content(out_ / "one.json"), "{}");
+    drawn.draw();  // the script knows nothing of it
+    const auto read = nlohmann::ordered_json(drawn.contents()).get<FigureContents>();
+    EXPECT_EQ(read.tables, drawn.contents().tables);
+    EXPECT_EQ(read.data().back(), "../one.json");
+}
+
 TEST_F(FigureRecords, DrawTheSameBytes) {
     const Figure drawn = figure();
     const auto pictures = drawn.draw();

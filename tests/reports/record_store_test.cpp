@@ -76,6 +76,13 @@ TEST_F(Records, KeepEveryBit) {
     EXPECT_EQ(sample.weights.size(), 3U);
 }
 
+TEST_F(Records, KeepWhatTheSolverSaid) {
+    Record spoken = done(32, 1.0);
+    spoken.said = "front_coupling crossing_y";
+    RecordStore(directory_, "now").add(spoken);
+    EXPECT_EQ(RecordStore(directory_, "now").find(experiment, rows(32))->said, spoken.said);
+}
+
 TEST_F(Records, SayWhatWasDone) {
     const auto stepping = [](const Setting&) {
         work_of_this_thread() = {.steps = 7, .cells = 4096, .solver_iterations = 91};

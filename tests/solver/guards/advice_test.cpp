@@ -80,6 +80,22 @@ TEST_P(Advice, FollowedToTheLetterLeadsToARunThatWorks) {
     EXPECT_TRUE(std::isfinite(simulation.summary().largest_temperature));
 }
 
+// Of two numbers that ask for a shorter step, one asks for a shorter one than the other.
+TEST(AdviceOfAStep, IsOneForAllThatAskForAShorterOne) {
+    const Overrides burning{"physics.regression=pyrolysis", "domain.ny=48"};
+    for (const char* clustering : {"domain.clustering=1", "domain.clustering=3"}) {
+        Overrides overrides = burning;
+        overrides.insert(overrides.end(), {clustering, "time.step=5 ms"});
+        const std::string line = refusal_of(scene_with("slab.toml", overrides));
+        const Overrides more = advised(line, scene_with("slab.toml", overrides));
+        overrides.insert(overrides.end(), more.begin(), more.end());
+        for (const Guard& guard : predicted(scene_with("slab.toml", overrides)))
+            if (guard.name == "front_coupling" || guard.name == "crossing_y") {
+                EXPECT_EQ(guard.beyond, Beyond::nothing) << in_words(guard) << " after " << line;
+            }
+    }
+}
+
 const Overrides coarse{"domain.nx=16", "domain.ny=24"};
 
 Refused refused(const std::string& file, Overrides overrides) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.hpp"
 #include "solver/guards/burning_guards.hpp"
@@ -48,6 +49,58 @@ TEST(Predicted, SlabBurnsAsTheSolverDoes) {
     run_steps(simulation, 4000);
     EXPECT_NEAR(slab.burn_rate / simulation.summary().mean_burn_rate, 1.0, 1e-3);
     EXPECT_NEAR(slab.surface_temperature, simulation.summary().largest_temperature, 0.2);
+}
+
+double burnt(const Scene& scene) {
+    Simulation simulation(scene);
+    run_to_end(simulation);
+    return -simulation.state().surface[0];
+}
+
+TEST(Predicted, AShortBurnInFewStepsIsSpokenOf) {
+    Scene scene = burning_slab(8.368e6);
+    scene.time = {.step = 80e-6, .end = 4.96e-3};
+    Scene fine = scene;
+    fine.domain.ny = 192;
+    fine.time.step = 5e-6;
+    EXPECT_GT(std::abs(burnt(scene) / burnt(fine) - 1.0), 0.02);
+    EXPECT_EQ(named(predicted(scene), "ignition").beyond, Beyond::remark);
+
+    scene.time.end = fine.time.end = 40e-3;
+    EXPECT_LT(std::abs(burnt(scene) / burnt(fine) - 1.0), 0.005);
+    EXPECT_EQ(named(predicted(scene), "ignition").beyond, Beyond::nothing);
+}
+
+TEST(Predicted, AShortBurnInHighRowsIsSpokenOf) {
+    Scene scene = burning_slab(8.368e6, 24);
+    scene.domain.clustering = 0.0;
+    scene.time.end = 8e-3;
+    Scene fine = scene;
+    fine.domain.ny = 192;
+    EXPECT_GT(std::abs(burnt(scene) / burnt(fine) - 1.0), 0.02);
+    EXPECT_EQ(named(predicted(scene), "ignition").beyond, Beyond::remark);
+}
+
+TEST(Predicted, AStripOfOneColumnIsSpokenOf) {
+    Scene scene = burning_slab(8.368e6, 48);
+    scene.domain.width = 240e-6;
+    scene.domain.nx = 48;
+    scene.domain.half = true;
+    scene.morphology = {.shape = Sandwich{5e-6},
+                        .materials = {ammonium_perchlorate(), htpb_binder()}};
+    scene.surface.heat_flux = {8.368e6, 0.8 * 8.368e6};
+    const Guard one = named(predicted(scene), "columns_in_layer");
+    EXPECT_EQ(one.beyond, Beyond::remark);
+    EXPECT_THAT(one.text, HasSubstr("domain.nx to 144 or more"));
+    scene.domain.nx = 144;
+    EXPECT_EQ(named(predicted(scene), "columns_in_layer").beyond, Beyond::nothing);
+}
+
+TEST(Predicted, HeatThatStaysInAColumnIsSpokenOf) {
+    Scene scene = testing::sandwich(24, 24);
+    EXPECT_EQ(named(predicted(scene), "column_peclet").beyond, Beyond::nothing);
+    scene.morphology.materials[1].bulk_modulus *= 1000.0;
+    EXPECT_EQ(named(predicted(scene), "column_peclet").beyond, Beyond::remark);
 }
 
 TEST(Predicted, CoupledSlabBurnsAsTheSolverDoes) {
