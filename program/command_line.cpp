@@ -257,7 +257,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
 }
 
 Action action_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) {
-    if (auto action = parser->outside->action()) return action;
+    if (auto action = parser->outside->action(arguments)) return action;
     if (parser->list_command->parsed()) return [parser] { return list(parser->list); };
     if (parser->report_command->parsed()) return [parser] { return report(parser->report); };
     if (parser->run_command->parsed())

@@ -33,12 +33,15 @@ void add_footer(CLI::App* command, const std::string& examples) {
 struct OutsideCommands::Commands {
     OrderOptions order;
     TruthOptions truth;
+    JudgeOptions judge;
     CLI::App* order_command = nullptr;
     CLI::App* truth_command = nullptr;
+    CLI::App* judge_command = nullptr;
 
     explicit Commands(CLI::App& app) {
         add_order(app);
         add_truth(app);
+        add_judge(app);
     }
 
     void add_order(CLI::App& app) {
@@ -100,6 +103,43 @@ struct OutsideCommands::Commands {
         add_footer(truth_command, help::truth_examples);
     }
 
+    void add_judge(CLI::App& app) {
+        judge_command = app.add_subcommand("judge", help::judge);
+        judge_command->add_option("CASE", judge.name, "Problem that was solved: see --describe")
+            ->required();
+        judge_command->add_option("GRID=FILE", judge.files,
+                                  "Cells along the refined side, and the results on them (CSV)");
+        judge_command->add_flag("--describe", judge.describe,
+                                "Say what there is to solve; with --json for programs");
+        judge_command
+            ->add_option("--field", judge.fields,
+                         "Where a field stands, e.g. T=temp:degC; may be repeated")
+            ->type_name("NAME=COLUMN:UNIT")
+            ->allow_extra_args(false);
+        judge_command->add_option("--set", judge.set, "Set a parameter, e.g. depth=\"300 um\"")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        judge_command->add_option("--time", judge.time, "Time of the results, else 0 s")
+            ->type_name("T");
+        auto* const expect =
+            judge_command
+                ->add_option("--expect", judge.expect, "Order of all fields, for the case's gates")
+                ->type_name("P");
+        judge_command->add_option("--within", judge.within, "How far the fit may miss it, else 0.1")
+            ->type_name("D")
+            ->needs(expect);
+        judge_command->add_option("--json", judge.json, "Write JSON; - prints it, and nothing else")
+            ->type_name("FILE")
+            ->expected(0, 1);
+        refuse_empty(
+            judge_command->add_option("--junit", judge.junit, "Write JUnit XML, a test a gate"))
+            ->type_name("FILE");
+        refuse_empty(judge_command->add_option("--out", judge.out,
+                                               "Write DIR/verify.json and DIR/report.html"))
+            ->type_name("DIR");
+        add_footer(judge_command, help::judge_examples);
+    }
+
     int run_truth() {
         if (!truth.help) return crawford::truth(truth);
         if (truth.name.empty()) {
@@ -116,10 +156,12 @@ struct OutsideCommands::Commands {
 OutsideCommands::OutsideCommands(CLI::App& app) : commands_(std::make_shared<Commands>(app)) {}
 OutsideCommands::~OutsideCommands() = default;
 
-std::function<int()> OutsideCommands::action() const {
+std::function<int()> OutsideCommands::action(const std::vector<std::string>& command) const {
     const auto commands = commands_;
     if (commands->order_command->parsed()) return [commands] { return order(commands->order); };
     if (commands->truth_command->parsed()) return [commands] { return commands->run_truth(); };
+    if (commands->judge_command->parsed())
+        return [commands, command] { return judge(commands->judge, command); };
     return {};
 }
 

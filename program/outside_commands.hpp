@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -18,8 +20,8 @@ public:
     OutsideCommands(const OutsideCommands&) = delete;
     OutsideCommands& operator=(const OutsideCommands&) = delete;
 
-    /// What was asked for; empty if it was none of these.
-    std::function<int()> action() const;
+    /// What was asked for by `command`, as typed; empty if it was none of these.
+    std::function<int()> action(const std::vector<std::string>& command) const;
 
 private:
     struct Commands;

@@ -35,4 +35,20 @@ Examples:
   crawford truth slab --set material=binder --set depth="300 um" --points points.csv
   crawford truth manufactured-heat --time "1 ms" --points points.csv)";
 
+inline constexpr auto judge =
+    "Hold another code's fields against an exact solution; exit 1 if a gate falls short";
+
+inline constexpr auto judge_examples = R"(
+CASE is sandwich-mechanical, sandwich-thermal, slab, or any exact solution of crawford truth --list;
+--describe says what to solve, with all properties. Each file is CSV, points or cells anywhere in
+the domain: "x [m],y [m]" and fields, "temperature [K]" or what --field maps; a column weight or area
+weighs the points (else all count alike). h = 1/GRID. Errors in L1, L2 and Linf, orders, and the
+verdict by the rules that our own studies are held to. docs/judge.md is a tour.
+
+Examples:
+  crawford judge slab --describe
+  crawford judge slab 32=T32.csv 64=T64.csv 128=T128.csv
+  crawford judge slab 32=T32.csv 64=T64.csv 128=T128.csv --field T=temp:degC --set depth="300 um"
+  crawford judge manufactured-heat 16=a.csv 32=b.csv 64=c.csv --expect 2 --time "1 ms" --json -)";
+
 }  // namespace crawford::help

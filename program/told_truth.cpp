@@ -7,9 +7,11 @@
 #include <charconv>
 #include <cmath>
 #include <span>
+#include <string_view>
 
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "reference/truth_materials.hpp"
 #include "reports/wrapped.hpp"
 #include "solver/scene/units.hpp"
 
@@ -62,6 +64,18 @@ void require_inside(const reference::Truth& truth, const Eigen::Vector2d& point,
     }
 }
 
+/// Of a property: that of either material; who solves the case needs the numbers.
+std::string otherwise(const reference::Parameter& parameter) {
+    constexpr std::string_view material = "that of ";
+    if (!parameter.otherwise.starts_with(material) || !parameter.otherwise.ends_with("material"))
+        return parameter.otherwise;
+    const auto prefix = parameter.otherwise.substr(material.size());
+    const auto name = parameter.name.substr(prefix.size() - std::string_view("material").size());
+    return fmt::format("{}: AP {:g}, binder {:g}", parameter.otherwise,
+                       reference::property_of(reference::ap(), name),
+                       reference::property_of(reference::binder(), name));
+}
+
 std::string parameter_text(const reference::Parameter& parameter) {
     const std::string unit =
         parameter.is_text() || parameter.unit == "1" ? "" : fmt::format(" [{}]", parameter.unit);
@@ -111,7 +125,7 @@ std::string limits_of(const reference::Parameter& parameter) {
 }
 
 std::string standard_of(const reference::Parameter& parameter) {
-    if (!parameter.standard) return fmt::format("({})", parameter.otherwise);
+    if (!parameter.standard) return fmt::format("({})", otherwise(parameter));
     if (const auto* text = std::get_if<std::string>(&*parameter.standard)) return *text;
     return fmt::format("{:.12g}", std::get<double>(*parameter.standard));
 }
