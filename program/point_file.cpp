@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
 #include "solver/scene/units.hpp"
@@ -10,9 +12,16 @@ namespace crawford {
 
 namespace {
 
-/// value in `to` = offset + factor * number in `from`
+/// value in `to` = offset + factor * number in `from`, divided where that is exact: -20 um is -2e-5 m
+/// to the last digit, as who reads it back expects.
 struct Conversion {
     double factor = 1.0, offset = 0.0;
+
+    double operator()(double number) const {
+        const double parts = std::round(1.0 / factor);
+        const bool is_part = parts > 1.0 && std::abs(parts * factor - 1.0) < 1e-14;
+        return offset + (is_part ? number / parts : factor * number);
+    }
 };
 
 Conversion conversion(const std::string& from, const std::string& to) {
@@ -55,8 +64,7 @@ std::vector<double> csv_quantities(const CsvTable& table, std::size_t column,
     }
     std::vector<double> values;
     for (const CsvRow& row : table.rows)
-        values.push_back(to_si.offset +
-                         to_si.factor * csv_number(row.cells[column], table.place(row.line)));
+        values.push_back(to_si(csv_number(row.cells[column], table.place(row.line))));
     return values;
 }
 

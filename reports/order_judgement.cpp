@@ -1,5 +1,7 @@
 #include "reports/order_judgement.hpp"
 
+#include <cmath>
+
 #include "reports/value_order.hpp"
 
 namespace crawford::reports {
@@ -32,6 +34,8 @@ std::vector<Estimate> estimates_of(const OrderTable& table, const OrderColumn& c
     std::vector<double> h, u;
     for (std::size_t i = 0; i < table.h.size(); ++i) {
         if (table.grids[i] < result.coarsest || table.grids[i] > result.finest) continue;
+        // A defect of its own, which the judgement names.
+        if (!std::isfinite(column.values[i]) || (!h.empty() && !(table.h[i] < h.back()))) return {};
         h.push_back(table.h[i]);
         u.push_back(column.values[i]);
     }
