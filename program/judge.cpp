@@ -113,6 +113,16 @@ std::string as_json(const JudgeCase& one, const JudgeOptions& options,
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+/// As it can be typed again.
+std::string typed(const std::vector<std::string>& command) {
+    std::string text = "build/crawford";
+    for (std::size_t k = 1; k < command.size(); ++k) {
+        const bool plain = command[k].find_first_of(" ()'<>;&|*\"") == std::string::npos;
+        text += plain ? " " + command[k] : fmt::format(" '{}'", command[k]);
+    }
+    return text;
+}
+
 reports::Verification verification(const JudgeCase& one, const JudgedFiles& files,
                                    const std::vector<GateResult>& gated,
                                    const std::vector<std::string>& command) {
@@ -123,7 +133,7 @@ reports::Verification verification(const JudgeCase& one, const JudgedFiles& file
         {.name = one.name,
          .entry = one.name,
          .page = fmt::format("# {}: results of another code\n\n{}", one.name, one.task),
-         .command = fmt::format("build/crawford judge {}", one.name),
+         .command = typed(command),
          .axis = "grid",
          .grids = grids});
     found.gates = gated;

@@ -145,6 +145,7 @@ TEST_F(Judge, WritesAPageAndFiles) {
         return std::string{std::istreambuf_iterator<char>(stream), {}};
     };
     EXPECT_THAT(content(out_ / "page/report.html"), HasSubstr("results of another code"));
+    EXPECT_THAT(content(out_ / "page/report.html"), testing::Not(HasSubstr("Coverage")));
     EXPECT_THAT(content(out_ / "page/verify.json"), HasSubstr("\"slab\""));
     EXPECT_THAT(content(out_ / "j.xml"), HasSubstr("failures=\"2\""));
     EXPECT_EQ(nlohmann::json::parse(content(out_ / "j.json")).at("passed"), false);
