@@ -1,6 +1,9 @@
 """What the module promises to whoever calls it from a test."""
 
 import math
+import os
+import subprocess
+from pathlib import Path
 
 import crawford
 import pytest
@@ -59,3 +62,19 @@ def test_truths_name_what_is_wrong():
     slab = crawford.truth("slab", material="binder")
     assert slab.fields["temperature"] == ("K", "T")
     assert slab([0.0], [0.0])["temperature"][0] > 300.0
+
+
+def test_what_a_burn_leaves_is_read(tmp_path):
+    tree = Path(__file__).resolve().parents[2]
+    program = os.environ.get("CRAWFORD", tree / "build" / "crawford")
+    subprocess.run([program, "burn", tree / "cases/scenes/slab.toml", "--quiet", "--out", tmp_path,
+                    "--set", "time.end=1 ms",
+                    "--set", "output.snapshots_every=1 ms"], check=True)
+    history = crawford.read_history(next(tmp_path.glob("*_history.csv")))
+    time = next(name for name in history if name.startswith("time"))
+    assert history[time][-1] == pytest.approx(1e-3)
+    pytest.importorskip("h5py")
+    snapshot = crawford.read_snapshot(sorted(tmp_path.glob("slab_0*.hdf"))[-1])
+    assert snapshot["time"] == pytest.approx(1e-3)
+    assert len(snapshot["temperature"]) == len(snapshot["points"])
+    assert snapshot["stress"].shape[1] == 6

@@ -1,7 +1,7 @@
 """Crawford beside a code of one's own, under pytest: the slab that is right passes, the slip is caught.
 
     make python
-    PYTHONPATH=build/python python3 -m pytest examples/python
+    python3 -m pytest examples/python
 """
 
 import crawford

@@ -24,8 +24,8 @@ try:
 except ImportError:
     _np = None
 
-__all__ = ["order", "gate", "truth", "truths", "judge", "read_history", "InputError",
-           "NumericalFailure"]
+__all__ = ["order", "gate", "truth", "truths", "judge", "read_history", "read_snapshot",
+           "InputError", "NumericalFailure"]
 
 
 def _numbers(values: Iterable[float]) -> List[float]:
@@ -165,3 +165,18 @@ def read_history(file: Union[str, Path]) -> Dict[str, Any]:
     columns = zip(*([float(cell or "nan") for cell in row] for row in rows[1:]))
     return {name: _np.array(values) if _np is not None else list(values)
             for name, values in zip(rows[0], columns)}
+
+
+def read_snapshot(file: Union[str, Path]) -> Dict[str, Any]:
+    """A snapshot (NAME_000123.hdf): "time" [s], "points" [m], then the fields at points and cells.
+
+    name -> array, SI; the last dimension of stress is XX YY ZZ XY YZ XZ. Needs h5py.
+    """
+    import h5py
+
+    with h5py.File(file) as stream:
+        grid = stream["VTKHDF"]
+        found = {"time": float(stream["crawford/time"][()]), "points": grid["Points"][:]}
+        for place in ("PointData", "CellData"):
+            found.update({name: grid[place][name][:] for name in grid[place]})
+    return found
