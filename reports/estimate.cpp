@@ -51,7 +51,8 @@ double order_of_celik(const Three& g) {
         return p * log_21 - std::abs(std::log(std::abs(ratio)) + q(p));
     };
     constexpr double lowest = 1e-6;
-    if (residual(lowest) >= 0.0 || residual(highest_order) <= 0.0) return Estimate::none;
+    const bool has_root = residual(lowest) < 0.0 && residual(highest_order) > 0.0;
+    if (!has_root) return Estimate::none;
     std::uintmax_t iterations = 200;
     const auto [low, high] = boost::math::tools::toms748_solve(
         residual, lowest, highest_order, boost::math::tools::eps_tolerance<double>(48), iterations);

@@ -29,6 +29,8 @@ double observed_order(std::span<const double, 3> h, std::span<const double, 3> u
     const auto residual = [&](double p) {
         return log_difference_ratio(p, log_coarse, log_fine) - ratio;
     };
+    if (!std::isfinite(residual(-highest_order)) || !std::isfinite(residual(highest_order)))
+        return std::numeric_limits<double>::quiet_NaN();  // sizes too far apart for their powers
     if (residual(-highest_order) >= 0.0) return -highest_order;
     if (residual(highest_order) <= 0.0) return highest_order;
     std::uintmax_t iterations = 200;

@@ -15,6 +15,13 @@
 namespace crawford::reports {
 namespace {
 
+/// No script can hold a control character.
+std::string printable(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+    return text;
+}
+
 ConvergenceCurve curve(const OrderTable& table, const JudgedColumn& column) {
     const auto& values = column.values();
     std::vector<Level> levels;
@@ -24,7 +31,8 @@ ConvergenceCurve curve(const OrderTable& table, const JudgedColumn& column) {
         else if (i + 1 < values.size())
             levels.push_back({table.grids[i], table.h[i], std::abs(values[i] - values[i + 1])});
     }
-    return {.label = column.result.quantity + (column.is_error ? "" : ", change to the next grid"),
+    return {.label = printable(column.result.quantity) +
+                     (column.is_error ? "" : ", change to the next grid"),
             .convergence = Convergence(levels),
             .expected = column.result.expected};
 }
@@ -37,6 +45,14 @@ bool has_point(const ConvergenceCurve& curve) {
 std::string content(const std::filesystem::path& file) {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string picture(const OrderTable& table, const std::vector<ConvergenceCurve>& curves) {
+    const Scratch scratch;
+    return content(
+        draw_convergence("order", scratch.path(), printable(table.name), curves, {},
+                         {.h = table.counts_cells() ? "cell size h" : printable(table.size_name),
+                          .error = "error"}));
 }
 
 }  // namespace
@@ -56,11 +72,7 @@ void draw_orders(const std::filesystem::path& file, const OrderTable& table,
             fmt::format("--plot {}: {} has no error above zero and no values that "
                         "differ: nothing to draw",
                         file.string(), table.name));
-    const Scratch scratch;
-    const auto drawn = draw_convergence(
-        "order", scratch.path(), table.name, curves, {},
-        {.h = table.counts_cells() ? "cell size h" : table.size_name, .error = "error"});
-    write_file(file, content(drawn));
+    write_file(file, picture(table, curves));
 }
 
 }  // namespace crawford::reports

@@ -64,6 +64,15 @@ def test_truths_name_what_is_wrong():
     assert slab([0.0], [0.0])["temperature"][0] > 300.0
 
 
+def test_truths_answer_in_the_shape_of_the_points():
+    np = pytest.importorskip("numpy")
+    x, y = np.meshgrid(np.linspace(0.0, 1e-4, 3), np.linspace(-1e-4, 0.0, 5))
+    found = crawford.truth("slab")(x, y)["temperature"]
+    assert found.shape == (5, 3)
+    assert (found[-1] > found[0]).all()
+    assert crawford.truth("slab")(0.0, y)["temperature"].shape == (5, 3)
+
+
 def test_what_a_burn_leaves_is_read(tmp_path):
     tree = Path(__file__).resolve().parents[2]
     program = os.environ.get("CRAWFORD", tree / "build" / "crawford")

@@ -140,6 +140,25 @@ TEST_F(Order, WritesItsFiles) {
     EXPECT_EQ(crawford({"order", both, "--quantity", "u", "--expect", "2"}).status, 0);
 }
 
+TEST_F(Order, DrawsWhateverThereIsToDraw) {
+    for (const char* text :
+         {"h,u\n2,1\n1,1.5\n", "h,error\n2,1\n1,0.5\n", "h,a\001b\n4,16\n2,4\n"}) {
+        fs::remove(out_ / "order.svg");
+        const Finished run = crawford({"order", table(text), "--plot", file("order.svg")});
+        EXPECT_EQ(run.status, 0) << run.output;
+        EXPECT_THAT(content("order.svg"), HasSubstr("<svg"));
+    }
+    expect_refused({"order", table("h,u\n2,1\n1,1\n"), "--plot", file("order.svg")},
+                   "nothing to draw");
+}
+
+TEST_F(Order, IsNotLostInExtremeNumbers) {
+    EXPECT_EQ(gated("h,u\n1e300,1\n1,2\n1e-300,4\n").status, 1);
+    EXPECT_EQ(gated("h,u\n1e300,1\n1,2\n0.5,4\n1e-300,4.5\n").status, 1);
+    EXPECT_EQ(gated("h,error\n4,1e300\n2,1e-300\n1,1e-308\n").status, 1);
+    EXPECT_EQ(gated("h,u\n4,1e308\n2,-1e308\n1,0\n").status, 1);
+}
+
 TEST_F(Order, ExplainsItself) {
     const Finished help = crawford({"order", "--help"});
     EXPECT_EQ(help.status, 0);
