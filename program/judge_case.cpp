@@ -15,7 +15,6 @@ namespace crawford {
 namespace {
 
 using reports::expect;
-using reports::Gate;
 using reports::Norm;
 
 JudgeCase slab() {

@@ -16,7 +16,7 @@ namespace {
 /// The beginning of a description, on one line of at most 100 columns with the name before it.
 std::string beginning(const std::string& text) {
     constexpr std::size_t room = 72;
-    const std::string sentence = text.substr(0, text.find_first_of(".;"));
+    std::string sentence = text.substr(0, text.find_first_of(".;"));
     if (sentence.size() <= room) return sentence;
     return sentence.substr(0, sentence.rfind(' ', room - 3)) + " ...";
 }

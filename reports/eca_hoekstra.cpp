@@ -56,8 +56,8 @@ Fit fitted_with_order(const Samples& s) {
     const auto miss = [&](double p) { return fitted(s, {p}, 3).deviation; };
     constexpr double lowest = 0.01, highest = 10.0, step = 0.05;
     double best = lowest;
-    for (double p = lowest; p <= highest; p += step)
-        if (miss(p) < miss(best)) best = p;
+    for (int k = 0; k * step <= highest - lowest; ++k)
+        if (const double p = lowest + k * step; miss(p) < miss(best)) best = p;
     const auto [p, least] =
         boost::math::tools::brent_find_minima(miss, std::max(lowest, best - step), best + step, 30);
     return fitted(s, {p}, 3);
@@ -85,7 +85,7 @@ Fit with_power(const GridValues& grids, double p) {
 Fit chosen_fit(const GridValues& grids) {
     Fit chosen = with_either_weights(grids, "fit of free order", fitted_with_order);
     if (chosen.order >= 0.5 && chosen.order <= 2.0) return chosen;
-    const Fit fixed = better(with_power(grids, 1.0), with_power(grids, 2.0));
+    Fit fixed = better(with_power(grids, 1.0), with_power(grids, 2.0));
     if (chosen.order > 2.0) return fixed;
     return better(
         fixed, with_either_weights(grids, "fit of orders 1 and 2 together", [](const Samples& s) {
