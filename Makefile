@@ -10,6 +10,7 @@ PACKAGES := build-essential cmake ninja-build \
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libudunits2-dev \
   libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox
 TOOLS := clang-format clang-tidy
+PYTHON_PACKAGES := python3-dev pybind11-dev python3-numpy python3-h5py python3-pytest
 
 SOURCES = $(shell git ls-files --cached --others --exclude-standard -- '*.cpp' '*.hpp')
 
@@ -46,7 +47,7 @@ define tidy_database
 	  > build/tidy/compile_commands.json
 endef
 
-.PHONY: help deps tools program build test verify mutants figures ledger extremes bench format check-format tidy tidy-changed clean
+.PHONY: help deps tools python test-python program build test verify mutants figures ledger extremes bench format check-format tidy tidy-changed clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
@@ -58,6 +59,8 @@ help:
 	@echo '              $(OUT)/figures/index.html (FIDELITY=draft|paper|fine, now $(FIDELITY)). What was cut off goes on'
 	@echo 'make ledger   settle the ledger anew: readings, refinements, other packs (hours)'
 	@echo 'make extremes maps of where answers stand, far from the paper: $(OUT)/figures/extremes.html'
+	@echo 'make python   the Python module, in build/python (PYTHONPATH=build/python python3 -c "import crawford")'
+	@echo 'make test-python  the tests of it, and the examples for other codes'
 	@echo 'make bench    how fast the parts are'
 	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
 	@echo 'make format   put all sources into the one format; make check-format only looks'
@@ -69,6 +72,17 @@ deps:
 
 tools:
 	$(call install,$(TOOLS))
+
+# What Python loads is compiled apart (position-independent), and only what it needs.
+python: program
+	$(call install,$(PYTHON_PACKAGES))
+	@cmake -S . -B build/python-module -G Ninja -D CMAKE_BUILD_TYPE=Release \
+	  -D CMAKE_POSITION_INDEPENDENT_CODE=ON -D CRAWFORD_PYTHON=ON > /dev/null
+	@cmake --build build/python-module --target engine -j $(JOBS)
+
+# Debian's own: another python3 in PATH may lack pytest.
+test-python: python
+	@/usr/bin/python3 -B -m pytest -q -p no:cacheprovider examples/python
 
 program: deps
 	@cmake --preset release >/dev/null

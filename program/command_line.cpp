@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "base/build_info.hpp"
 #include "base/errors.hpp"
@@ -12,6 +13,7 @@
 #include "program/accuracy.hpp"
 #include "program/chosen_grids.hpp"
 #include "program/help.hpp"
+#include "program/outside_commands.hpp"
 
 namespace crawford {
 
@@ -35,6 +37,7 @@ struct Parser {
     CLI::App* report_command = nullptr;
     CLI::App* burn_command = nullptr;
     CLI::App* pack_command = nullptr;
+    std::optional<OutsideCommands> outside;
 
     Parser() {
         app.set_version_flag("--version",
@@ -51,6 +54,7 @@ struct Parser {
         add_report();
         add_burn();
         add_pack();
+        outside.emplace(app);
     }
 
     void add_list() {
@@ -261,12 +265,14 @@ std::vector<std::string> command_names(const CLI::App& app) {
     const CLI::App& command = parser.named();
     if (&command == &parser.app)
         throw InputError(
-            "a command is missing: list, run, ledger, verify, report, burn or pack; see crawford "
-            "--help");
+            "a command is missing: list, run, ledger, verify, report, burn, pack, order or truth; "
+            "see "
+            "crawford --help");
     throw InputError(fmt::format("{}; see crawford {} --help", error.what(), command.get_name()));
 }
 
 Action action_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) {
+    if (auto action = parser->outside->action(arguments)) return action;
     if (parser->list_command->parsed()) return [parser] { return list(parser->list); };
     if (parser->report_command->parsed()) return [parser] { return report(parser->report); };
     if (parser->run_command->parsed())

@@ -12,6 +12,7 @@ Examples:
   crawford run fig03                           one figure of the paper, into out/figures
   crawford verify slab                         the solver against an exact solution
   crawford burn cases/scenes/sandwich.toml     a scene of your own: copy this file and change it
+  crawford order table.csv --expect 2          does another code converge as it should?
 
 crawford COMMAND --help says more.)";
 

@@ -46,6 +46,10 @@ const Property& property_named(const std::string& name) {
 
 }  // namespace
 
+double property_of(const Material& material, const std::string& name) {
+    return material.*property_named(name).member;
+}
+
 std::vector<Parameter> material_parameters(const std::string& standard,
                                            const std::vector<std::string>& properties,
                                            const std::string& prefix) {

@@ -18,6 +18,9 @@ std::vector<Parameter> material_parameters(const std::string& standard,
 /// The material that these parameters give.
 Material material_of(const Given& given, const std::string& prefix = "");
 
+/// A property by its name, SI. \throws std::logic_error if there is none of this name.
+double property_of(const Material& material, const std::string& name);
+
 std::vector<Parameter> joined(std::vector<Parameter> first, const std::vector<Parameter>& second);
 
 /// What conducts and stores heat; what is elastic; what pyrolyses.

@@ -11,7 +11,12 @@ set ylabel error_label noenhanced
 set autoscale xfix
 set autoscale yfix
 set offsets graph 0.04, graph 0.04, graph 0.05, graph 0.05
-plot for [i = 1:slopes] value(sprintf('data_slope_%d', i)) using 1:2 with lines lc rgb grey lw 1 dt i + 1 \
-         title value(sprintf('slope_title_%d', i)), \
-     for [i = 1:curves] value(sprintf('data_curve_%d', i)) using 1:2 with linespoints lt i \
-         title value(sprintf('title_%d', i)) noenhanced
+curves_of(i) = value(sprintf('data_curve_%d', i))
+title_of(i) = value(sprintf('title_%d', i))
+if (slopes == 0) {
+  plot for [i = 1:curves] curves_of(i) using 1:2 with linespoints lt i title title_of(i) noenhanced
+} else {
+  plot for [i = 1:slopes] value(sprintf('data_slope_%d', i)) using 1:2 with lines lc rgb grey lw 1 dt i + 1 \
+           title value(sprintf('slope_title_%d', i)), \
+       for [i = 1:curves] curves_of(i) using 1:2 with linespoints lt i title title_of(i) noenhanced
+}

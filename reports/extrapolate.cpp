@@ -20,14 +20,17 @@ double log_difference_ratio(double p, double log_coarse, double log_fine) {
     return p * log_fine + std::log(std::expm1(p * log_coarse) / std::expm1(p * log_fine));
 }
 
-/// Order p with |u1 - u2|/|u2 - u3| = (h1^p - h2^p)/(h2^p - h3^p), coarse to fine.
-double observed_order(const std::array<double, 3>& h, const std::array<double, 3>& u) {
+}  // namespace
+
+double observed_order(std::span<const double, 3> h, std::span<const double, 3> u) {
     const double ratio = std::log(std::abs(u[0] - u[1]) / std::abs(u[1] - u[2]));
     if (std::isnan(ratio)) return ratio;
     const double log_coarse = std::log(h[0] / h[1]), log_fine = std::log(h[1] / h[2]);
     const auto residual = [&](double p) {
         return log_difference_ratio(p, log_coarse, log_fine) - ratio;
     };
+    if (!std::isfinite(residual(-highest_order)) || !std::isfinite(residual(highest_order)))
+        return std::numeric_limits<double>::quiet_NaN();  // sizes too far apart for their powers
     if (residual(-highest_order) >= 0.0) return -highest_order;
     if (residual(highest_order) <= 0.0) return highest_order;
     std::uintmax_t iterations = 200;
@@ -36,8 +39,6 @@ double observed_order(const std::array<double, 3>& h, const std::array<double, 3
         iterations);
     return 0.5 * (low + high);
 }
-
-}  // namespace
 
 Extrapolation extrapolate(std::span<const double> h, std::span<const double> values,
                           double formal_order) {

@@ -16,6 +16,10 @@ struct Extrapolation {
                          ///< one way, else 3
 };
 
+/// Order p with (u1 - u2)/(u2 - u3) = (h1^p - h2^p)/(h2^p - h3^p), signs aside, from three grids,
+/// coarse to fine; within [-12, 12], beyond any scheme. NaN if a value is.
+double observed_order(std::span<const double, 3> h, std::span<const double, 3> values);
+
 /// Richardson extrapolation and grid convergence index (Roache) from the three finest grids; any
 /// refinement ratios. Applies to any number that converges: a temperature, or an error, whose limit
 /// then shows what does not vanish. All NaN if a value is NaN.

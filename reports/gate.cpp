@@ -33,15 +33,6 @@ std::string not_a_number(const Convergence& convergence) {
     return "";
 }
 
-std::string short_of(const Gate& gate, Verdict verdict, double fit) {
-    if (verdict == Verdict::not_asymptotic)
-        return fmt::format(
-            "not asymptotic: a pairwise order lies further than {:.3g} from the fit {:.3f}",
-            gate.expected.scatter, fit);
-    if (verdict != Verdict::monotone) return fmt::format("errors are {}", name(verdict));
-    return out_of_tolerance(fit, gate.expected);
-}
-
 void record(GateResult& result, const Convergence& all, const Convergence& range,
             double formal_order) {
     for (const auto& level : all.levels()) {
@@ -113,6 +104,15 @@ Interval at_least(double low) {
     return {low, infinity};
 }
 
+std::string short_of(const Expectation& expected, Verdict verdict, double fit) {
+    if (verdict == Verdict::not_asymptotic)
+        return fmt::format(
+            "not asymptotic: a pairwise order lies further than {:.3g} from the fit {:.3f}",
+            expected.scatter, fit);
+    if (verdict != Verdict::monotone) return fmt::format("errors are {}", name(verdict));
+    return out_of_tolerance(fit, expected);
+}
+
 GateResult judge(const Gate& gate, const Convergence& convergence, const std::vector<int>& wanted,
                  const std::vector<int>& left_out) {
     GateResult result;
@@ -151,7 +151,7 @@ GateResult judge(const Gate& gate, const Convergence& convergence, const std::ve
         return result;
     }
     if (result.failure.empty())
-        result.failure = defect ? *defect : short_of(gate, verdict, result.fit);
+        result.failure = defect ? *defect : short_of(gate.expected, verdict, result.fit);
     result.passed = result.failure.empty();
     return result;
 }

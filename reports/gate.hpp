@@ -97,6 +97,9 @@ struct GateResult {
 GateResult judge(const Gate& gate, const Convergence& convergence, const std::vector<int>& wanted,
                  const std::vector<int>& left_out = {});
 
+/// Why a fit and its verdict fall short of what is expected; empty if they do not.
+std::string short_of(const Expectation& expected, Verdict verdict, double fit);
+
 /// Holds a number against a bound; NaN fails.
 GateResult judge(const Bound& bound, double value);
 

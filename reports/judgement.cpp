@@ -43,8 +43,9 @@ std::string numbers(const GateResult& r) {
         text += r.values.empty() ? row("error", cells(r.errors, from, to, "{:.3e}"))
                                  : row("value", cells(r.values, from, to, "{:.3e}"));
         if (r.pairwise.empty()) continue;
-        auto orders = cells(r.pairwise, from == 0 ? 0 : from - 1, to - 1, "{:.3f}");
-        if (from == 0) orders.insert(orders.begin(), "");
+        const std::size_t blank = r.grids.size() - r.pairwise.size();
+        auto orders = cells(r.pairwise, from == 0 ? 0 : from - blank, to - blank, "{:.3f}");
+        if (from == 0) orders.insert(orders.begin(), blank, "");
         text += row("order", orders);
     }
     return text;

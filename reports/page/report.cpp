@@ -10,8 +10,10 @@ namespace crawford::reports::page {
 
 std::string report(const Verification& v, const std::string& figures) {
     const Html to_figures = figures.empty() ? Html() : navigation({{figures, "figures"}});
+    // Results of another code have no terms of ours to cover.
+    const Html matrix = v.terms.empty() ? Html() : coverage_matrix(v);
     return document("Crawford: verification", to_figures + headline(v) + table_of_studies(v) +
-                                                  coverage_matrix(v) + study_sections(v) +
+                                                  matrix + study_sections(v) +
                                                   manifest(v.manifest));
 }
 

@@ -64,7 +64,7 @@ protected:
         fs::remove_all(root_);
         for (const char* directory : {"build", "bin", "refused"})
             fs::create_directories(root_ / directory);
-        for (const char* name : {"cases", "docs", "results"})
+        for (const char* name : {"cases", "docs", "examples", "results"})
             fs::create_directory_symlink(source_path(name), root_ / name);
         fs::create_directory_symlink(source_path("cases"), root_ / "refused" / "cases");
         for (const char* name : {"out", "DIR"})

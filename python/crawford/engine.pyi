@@ -1,0 +1,19 @@
+from typing import List, Mapping, Optional, Sequence, Tuple, Union
+
+class InputError(ValueError): ...
+class NumericalFailure(ArithmeticError): ...
+
+class Field:
+    name: str
+    unit: str
+    meaning: str
+
+class Truth:
+    fields: List[Field]
+    def __init__(self, name: str, given: Mapping[str, Union[float, str]]) -> None: ...
+    def values(self, x: Sequence[float], y: Sequence[float], t: float) -> List[List[float]]: ...
+
+def truths() -> List[Tuple[str, str]]: ...
+def judged(name: str, is_error: bool, h: Sequence[float], values: Sequence[float],
+           expect: Optional[float], within: float, scatter: float, size: float,
+           reason: str) -> Tuple[str, str]: ...
