@@ -19,7 +19,8 @@ double deepest_undershoot(const Scene& scene, const Grid& grid, const Material& 
 Guard undershoot(double kelvin);
 
 /// Columns in the thinnest layer of a sandwich or across the smallest disc, as wide as they are in the mean.
-std::optional<Guard> columns_in_layer(const Scene& scene);
+/// In a sandwich too few are remarked where they are wide beside the thermal layer, or the strip leads.
+std::optional<Guard> columns_in_layer(const Scene& scene, double burn_rate);
 
 /// r_b dx (1 + g)/D, g = T beta_w beta_s/(P rho c): the columns' Peclet number for heat that enters
 /// from the side and is taken up by expansion. `slab` is as hot as the material and burns as fast as

@@ -103,7 +103,7 @@ Guards numbers_of(const Scene& scene) {
         guards.push_back(ignition(scene, grid, leader->material, leader->answer.slab,
                                   scene.surface.heat_flux[leader->number]));
     if (fastest > 0.0) {
-        if (auto columns = columns_in_layer(scene)) guards.push_back(std::move(*columns));
+        if (auto columns = columns_in_layer(scene, fastest)) guards.push_back(std::move(*columns));
         // The slower part is carried along: the faster side leads.
         if (scene.physics.heat)
             for (const Material& material : scene.morphology.materials)
