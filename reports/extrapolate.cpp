@@ -29,7 +29,9 @@ double observed_order(std::span<const double, 3> h, std::span<const double, 3> u
     const auto residual = [&](double p) {
         return log_difference_ratio(p, log_coarse, log_fine) - ratio;
     };
-    if (!std::isfinite(residual(-highest_order)) || !std::isfinite(residual(highest_order)))
+    // Where two of the values are the same the ratio is infinite, and the order as far as it goes.
+    if (!std::isfinite(log_difference_ratio(-highest_order, log_coarse, log_fine)) ||
+        !std::isfinite(log_difference_ratio(highest_order, log_coarse, log_fine)))
         return std::numeric_limits<double>::quiet_NaN();  // sizes too far apart for their powers
     if (residual(-highest_order) >= 0.0) return -highest_order;
     if (residual(highest_order) <= 0.0) return highest_order;

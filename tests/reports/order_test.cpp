@@ -212,5 +212,10 @@ TEST(Extrapolation, RefusesWhatItCannotUse) {
                  std::invalid_argument);
 }
 
+TEST(Extrapolate, TakesTwoValuesThatAreTheSame) {
+    const std::vector<double> h{0.25, 0.125, 0.0625}, zero_and_round_off{0.0, 0.0, -2.2e-14};
+    EXPECT_NEAR(extrapolate(h, zero_and_round_off, 2.0).value, 0.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace crawford::reports

@@ -28,10 +28,10 @@
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
 #include "base/peak_memory.hpp"
-#include "cases/scene_fingerprint.hpp"
 #include "cases/explore/tradeoff/judged.hpp"
 #include "cases/explore/tradeoff/trials.hpp"
 #include "cases/registry.hpp"
+#include "cases/scene_fingerprint.hpp"
 #include "reports/pareto.hpp"
 #include "reports/record_store.hpp"
 

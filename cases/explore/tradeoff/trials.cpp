@@ -58,10 +58,7 @@ std::vector<Knob> of_heat() {
 std::vector<Knob> of_stress() {
     return {{"element", {{"numerics.element=q1"}}},
             {"coupling", {{"numerics.coupling=lagged"}}},
-            {"linear solver", {{"numerics.solver=ldlt"}, {"numerics.solver=pcg"}}},
-            {"solver tolerance",
-             {{"numerics.solver=pcg", "numerics.solver_tolerance=1e-5"},
-              {"numerics.solver=pcg", "numerics.solver_tolerance=1e-3"}}},
+            {"linear solver", {{"numerics.solver=ldlt"}}},
             {"reference map", {{"physics.reference_map=false"}}},
             {"physics", {{"physics.mechanics=false", "physics.reference_map=false"}}}};
 }
@@ -98,10 +95,14 @@ std::vector<Knob> of_pack() {
         for (const char* accuracy : {"1e-2", "1e-3"})
             together.positions.push_back(grid(columns, rows) + chosen(accuracy));
     std::vector<Knob> knobs = of_heat();
-    const std::vector<Knob> own{{"columns", each("domain.nx", {"30", "120"})},
-                                {"rows", each("domain.ny", {"24", "96"})},
-                                {"step", each("time.step", {"50 us", "200 us"})},
-                                together};
+    const std::vector<Knob> own{
+        {"columns", each("domain.nx", {"30", "120"})},
+        {"rows", each("domain.ny", {"24", "96"})},
+        {"step", each("time.step", {"50 us", "200 us"})},
+        // The paper's; a sandwich of 2,000 steps would take an hour.
+        {"solver tolerance",
+         {{"numerics.solver=pcg"}, {"numerics.solver=pcg", "numerics.solver_tolerance=1e-4"}}},
+        together};
     knobs.insert(knobs.end(), own.begin(), own.end());
     return knobs;
 }
