@@ -135,7 +135,7 @@ Scene scene_at(const BurnSceneOptions& options, const Preset& preset,
                std::vector<std::string>* told) {
     return typed_scene(options.scene, options.set, [&](const Scene& scene) {
         const Chosen chosen = choose(preset, scene);
-        const auto keys = without_set(chosen.keys, options.set);
+        auto keys = without_set(chosen.keys, options.set);
         if (told != nullptr) {
             told->push_back(fmt::format("preset {}: {}", preset.name, fmt::join(keys, ", ")));
             told->push_back(
