@@ -143,6 +143,25 @@ TEST_F(Program, LeavesOutWhatIsAMirrorImageAndSaysSo) {
     EXPECT_THAT(on.output, Not(HasSubstr("left out")));
 }
 
+TEST_F(Program, ChoosesGridAndStepsForAnAccuracyAndSaysWhatBecameOfIt) {
+    const std::string scene = scenes + "sandwich.toml";
+    const Finished run =
+        crawford({"burn", scene, "--accuracy", "1 %", "--set", "domain.nx=16", "--set",
+                  "time.until_steady=", "--set", "time.end=2 ms", "--out", out()});
+    EXPECT_EQ(run.status, 0) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("preset draft: domain.ny="));
+    EXPECT_THAT(run.output, HasSubstr("on half the grid"));
+    const auto manifest = nlohmann::json::parse(std::ifstream(out_ / "manifest.json"));
+    EXPECT_THAT(manifest.at("scene").get<std::string>(), HasSubstr("nx = 16")) << "--set wins";
+    EXPECT_EQ(manifest.at("accuracy").at("preset"), "draft");
+    EXPECT_GT(manifest.at("accuracy").at("estimated"), 0.0);
+    expect_refused({"burn", scene, "--accuracy", "0.01 %"}, "the finest preset promises 0.1 %");
+    for (const char* wrong : {"good", "-1 %", "0"})
+        expect_refused({"burn", scene, std::string("--accuracy=") + wrong}, "give a part of V");
+    expect_refused({"burn", scene, "--preset", "best"}, "choose one of draft, paper, fine");
+    EXPECT_THAT(crawford({"burn", "--help"}).output, HasSubstr("draft  V to 1 %; measured: "));
+}
+
 TEST_F(Program, WritesAPackThatASceneReads) {
     const std::string file = (out_ / "pack.csv").string();
     const std::string recipe = scenes + "random_pack.toml";
