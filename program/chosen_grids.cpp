@@ -25,7 +25,7 @@ std::vector<std::string> words_in(const std::string& text) {
 /// How far from its own grids a study is run: coarser than a quarter of its coarsest, its pieces
 /// (patches, layers, samples) have no cells of their own; finer than eight times its finest, a run
 /// takes days and all the memory. Steps, layers and samples of a grid divide the study's own grids and
-/// half of them, and would be cut to whole numbers between.
+/// half of them, and would be cut to whole numbers between, unless it says that it has none.
 void refuse_out_of_reach(const reports::Study& study, const std::vector<int>& values,
                          const std::string& typed) {
     constexpr int coarser = 4;
@@ -33,7 +33,7 @@ void refuse_out_of_reach(const reports::Study& study, const std::vector<int>& va
     const auto [least, most] = std::ranges::minmax(study.grids());
     int divisor = 0;
     for (const int grid : study.grids()) divisor = std::gcd(divisor, grid);
-    divisor = std::max(1, divisor / 2);
+    divisor = study.takes_any_value() ? 1 : std::max(1, divisor / 2);
     const int smallest = std::max(divisor, least / coarser);
     const long largest = long(most) * finer;
     for (const int value : values)

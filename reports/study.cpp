@@ -8,6 +8,11 @@ Study& Study::refines(std::string axis, std::vector<int> values) {
     return *this;
 }
 
+Study& Study::any_value() {
+    takes_any_value_ = true;
+    return *this;
+}
+
 Study& Study::at(const std::string& axis, AxisValue value) {
     fixed_.set(axis, std::move(value));
     return *this;

@@ -49,6 +49,9 @@ public:
     /// The axis that is refined, and its values: cells, columns, rows, steps. The judgement calls a
     /// value of it a grid.
     Study& refines(std::string axis, std::vector<int> values);
+    /// Nothing else of a run, as its steps or layers, hangs on the axis: it takes any value, where
+    /// others take what divides their own.
+    Study& any_value();
     /// Another axis, which is the same in all runs.
     Study& at(const std::string& axis, AxisValue value);
     Study& measure(Measure measure);
@@ -74,6 +77,7 @@ public:
     const std::string& name() const { return name_; }
     const std::string& axis() const { return axis_; }
     const std::vector<int>& grids() const { return grids_; }
+    bool takes_any_value() const { return takes_any_value_; }
     /// What a run on this grid is set to.
     Setting setting(int grid) const;
     const std::vector<std::string>& covered() const { return covered_; }
@@ -85,6 +89,7 @@ private:
     std::string axis_;
     Setting fixed_;
     std::vector<int> grids_;
+    bool takes_any_value_ = false;
     std::vector<std::string> covered_;
     Measure measure_;
     std::vector<Row> rows_;
