@@ -24,7 +24,7 @@ floor_of(e) = e < 1.2e-4 ? 1.2e-4 : e
 band(subject) = value('band_' . subject) > 0 ? "band_" . subject . " with filledcurves y1=1e-4 fc rgb '#eeeeee' title 'known no better', " : ''
 lost(subject) = value('lost_' . subject) > 0 ? ", data_" . subject . "_lost using 1:(100) with points lc rgb '#b2182b' pt 1 ps 1.1 title 'refused, failed'" : ''
 trade(subject) = 'plot ' . band(subject) . "data_" . subject . "_front_0 using 1:(floor_of($2)) with lines ls 9 title 'nothing beats', \
-    for [k = 1:6] data_" . subject . " using ($1 == k - 1 ? $2 : NaN):(floor_of($3)) with points ls k title word(knobs, k)" . lost(subject)
+    for [k in kinds_" . subject . "] data_" . subject . " using ($1 == int(k) ? $2 : NaN):(floor_of($3)) with points ls int(k) + 1 title word(knobs, int(k) + 1)" . lost(subject)
 
 @panel_a
 eval heading('a', 'slab of AP, 160 ms, against the exact slab')
