@@ -14,9 +14,9 @@ set logscale xy 10
 set format x '%g'
 set format y '%g'
 set grid xtics ytics
-set tmargin 5
+set tmargin 4
 set bmargin 5
-set key outside right top
+set key outside right top vertical maxcols 1
 set xlabel 'CPU time / s'
 set ylabel 'V off by / %'
 set yrange [1e-4:200]
