@@ -20,7 +20,7 @@ struct Knob {
 
 std::vector<Changes> each(const std::string& key, const Changes& values) {
     std::vector<Changes> positions;
-    for (const std::string& value : values) positions.push_back({key + '=' + value});
+    for (const std::string& value : values) positions.push_back({fmt::format("{}={}", key, value)});
     return positions;
 }
 
