@@ -7,6 +7,7 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "program/commands.hpp"
+#include "program/interrupt.hpp"
 #include "program/judged_files.hpp"
 #include "program/outside_options.hpp"
 #include "program/provenance.hpp"
@@ -113,14 +114,10 @@ std::string as_json(const JudgeCase& one, const JudgeOptions& options,
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-/// As it can be typed again.
-std::string typed(const std::vector<std::string>& command) {
-    std::string text = "build/crawford";
-    for (std::size_t k = 1; k < command.size(); ++k) {
-        const bool plain = command[k].find_first_of(" ()'<>;&|*\"") == std::string::npos;
-        text += plain ? " " + command[k] : fmt::format(" '{}'", command[k]);
-    }
-    return text;
+/// As it can be typed again, from the root of the tree.
+std::string command_of(CommandLine command) {
+    command.front() = "build/crawford";
+    return typed(command);
 }
 
 reports::Verification verification(const JudgeCase& one, const JudgedFiles& files,
@@ -133,7 +130,7 @@ reports::Verification verification(const JudgeCase& one, const JudgedFiles& file
         {.name = one.name,
          .entry = one.name,
          .page = fmt::format("# {}: results of another code\n\n{}", one.name, one.task),
-         .command = typed(command),
+         .command = command_of(command),
          .axis = "grid",
          .grids = grids});
     found.gates = gated;

@@ -44,6 +44,19 @@ Scene coupled_sandwich(Stepping scheme) {
     return scene;
 }
 
+/// The most of what is crossed in any step of a run.
+double most_crossed(const Scene& scene, double Crossed::*what) {
+    Simulation simulation(scene);
+    const Crossing crossing(scene, simulation.grid());
+    SurfaceField before = simulation.state().surface;
+    double most = 0.0;
+    run_to_end(simulation, {[&](const Simulation& now, double) {
+                   most = std::max(most, crossing.of(before, now.state()).*what);
+                   before = now.state().surface;
+               }});
+    return most;
+}
+
 TEST(TwoStepWeights, AreExactForAParabolaWhateverTheLengths) {
     const auto y = [](double t) { return 1.0 + 2.0 * t + 3.0 * t * t; };
     const auto slope = [](double t) { return 2.0 + 6.0 * t; };
@@ -107,14 +120,7 @@ TEST(ChosenSteps, AreTriedAgainShorterWhereOneFails) {
 TEST(ChosenSteps, CrossNoMoreThanARow) {
     Scene scene = rigid_slab();  // nothing fails where stress is not carried
     scene.time.accuracy = 0.1;
-    Simulation simulation(scene);
-    const Crossing crossing(scene, simulation.grid());
-    SurfaceField before = simulation.state().surface;
-    double most = 0.0;
-    run_to_end(simulation, {[&](const Simulation& now, double) {
-                   most = std::max(most, crossing.of(before, now.state()).rows);
-                   before = now.state().surface;
-               }});
+    const double most = most_crossed(scene, &Crossed::rows);
     EXPECT_GT(most, 0.7) << "or nothing held them";
     EXPECT_LE(most, 1.0);
 }
@@ -126,14 +132,7 @@ TEST(ChosenSteps, LetNoWaveOfTheSurfaceRunTooFar) {
     scene.domain.clustering_x = 2.0;
     scene.physics = {.mechanics = false, .reference_map = false};
     scene.time = {.step = first_chosen_step, .accuracy = 1e-2, .end = 50e-3};
-    Simulation simulation(scene);
-    const Crossing crossing(scene, simulation.grid());
-    SurfaceField before = simulation.state().surface;
-    double most = 0.0;
-    run_to_end(simulation, {[&](const Simulation& now, double) {
-                   most = std::max(most, crossing.of(before, now.state()).by_front);
-                   before = now.state().surface;
-               }});
+    const double most = most_crossed(scene, &Crossed::by_front);
     EXPECT_GT(most, 0.6) << "or nothing held them";
     EXPECT_LE(most, 0.9);
 }
