@@ -18,8 +18,8 @@ namespace {
 /// z = Ea dT/(R T_s^2); zero where the rate does not hang on T_s.
 double sensitivity(const Scene& scene, const Material& material, const SteadySlab& slab) {
     if (scene.physics.regression != Regression::pyrolysis) return 0.0;
-    const double hot = slab.surface_temperature;
-    return material.activation_temperature * (hot - scene.bottom.temperature) / (hot * hot);
+    return zeldovich_number(material.activation_temperature, slab.surface_temperature,
+                            scene.bottom.temperature);
 }
 
 /// Theta = q_s/(c dT)

@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/guards/steady_slab.hpp"
+
 namespace crawford {
-
-namespace {
-
-double largest_activation(const Scene& scene) {
-    if (scene.physics.regression != Regression::pyrolysis) return 0.0;
-    const auto& materials = scene.morphology.materials;
-    return std::ranges::max_element(materials, {}, &Material::activation_temperature)
-        ->activation_temperature;
-}
-
-}  // namespace
 
 double front_speed(double burn_rate, double z, double slope) {
     return burn_rate * std::max(std::sqrt(std::max(z, 0.0)), slope / std::hypot(1.0, slope));
@@ -60,7 +51,7 @@ double Crossing::by_front(const SurfaceField& before, const State& after) const 
     double hottest = cold_;
     const NodeField& t = after.temperature;
     for (int i = 0; i < t.columns(); ++i) hottest = std::max(hottest, t(i, t.rows() - 1));
-    const double z = activation_ * (hottest - cold_) / (hottest * hottest);
+    const double z = zeldovich_number(activation_, hottest, cold_);
     return columns_in_a_metre_ *
            front_speed(std::max(fall, 0.0), z, largest_slope(grid_, after.surface));
 }

@@ -1,5 +1,6 @@
 #include "solver/guards/steady_slab.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -98,6 +99,18 @@ CoupledSolid coupled(const Material& m, const Numerics& numerics) {
 double heat_capacity(const CoupledSolid& solid, HeatCapacity reading, double temperature) {
     if (reading == HeatCapacity::constant_pressure) return solid.heat_capacity;
     return solid.heat_capacity - solid.split_capacity(temperature);
+}
+
+double zeldovich_number(double activation_temperature, double hot, double cold) {
+    return activation_temperature * (hot - cold) / (hot * hot);
+}
+
+double largest_activation(const Scene& scene) {
+    if (scene.physics.regression != Regression::pyrolysis) return 0.0;
+    double largest = 0.0;
+    for (const Material& m : scene.morphology.materials)
+        largest = std::max(largest, m.activation_temperature);
+    return largest;
 }
 
 double speed_of_expansion(const Scene& scene, const Material& material, const SteadySlab& slab) {

@@ -40,6 +40,12 @@ struct SlabAnswer {
 /// \param material of the scene's morphology, by its number
 SlabAnswer steady_slab(const Scene& scene, size_t material);
 
+/// Zeldovich number z = Ea (T_s - T_0)/(R T_s^2): how strongly a rate of activation temperature Ea/R [K] answers T_s.
+double zeldovich_number(double activation_temperature, double hot, double cold);
+
+/// Ea/R [K] of the material that answers it most; 0 where no rate hangs on T.
+double largest_activation(const Scene& scene);
+
 /// By how much faster than r_b the solid moves at the heated surface [m/s], r_b (exp(theta D) - 1).
 double speed_of_expansion(const Scene& scene, const Material& material, const SteadySlab& slab);
 

@@ -55,8 +55,8 @@ Burns burns_of(const Scene& scene) {
         const SteadySlab& slab = answer.slab;
         burns.slowest = std::min(burns.slowest, slab.burn_rate);
         burns.fastest = std::max(burns.fastest, slab.burn_rate);
-        const double rise = slab.surface_temperature - scene.bottom.temperature;
-        const double z = m.activation_temperature * rise / std::pow(slab.surface_temperature, 2);
+        const double z = zeldovich_number(m.activation_temperature, slab.surface_temperature,
+                                          scene.bottom.temperature);
         burns.wave = std::max(burns.wave, front_speed(slab.burn_rate, z, 0.0));
     }
     if (burns.fastest <= 0.0)

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/guards/steady_slab.hpp"
 #include "solver/time_integration/time_step.hpp"
 
 namespace crawford {
 
 namespace {
-
-double largest_activation(const std::vector<Material>& materials) {
-    double largest = 0.0;
-    for (const Material& m : materials) largest = std::max(largest, m.activation_temperature);
-    return largest;
-}
 
 /// The heated layer forgets what a step does to its temperature: where steps of the sandwich and of a
 /// pack each add up to three times what is asked for, V is still off by less than that.
@@ -33,9 +28,7 @@ StepError::StepError(const Scene& scene, const Grid& grid)
       end_(scene.time.end),
       order_(scene.time.scheme == Stepping::bdf2 ? 3 : 2),
       diffusivity_(largest_diffusivity(scene.morphology.materials)),
-      activation_(scene.physics.regression == Regression::pyrolysis
-                      ? largest_activation(scene.morphology.materials)
-                      : 0.0) {}
+      activation_(largest_activation(scene)) {}
 
 /// Of the temperature of each node of the surface.
 std::vector<double> StepError::slopes(const State& before, const State& after) {
