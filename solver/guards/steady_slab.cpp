@@ -81,8 +81,11 @@ std::optional<double> coolest_root(const Balance& balance, double cold) {
 double beyond_the_hottest(const Balance& balance) {
     constexpr double nowhere = 1e12;
     double low = hottest_surface;
-    for (double high = 2.0 * low; high < nowhere; low = high, high *= 2.0)
+    while (low < nowhere) {
+        const double high = 2.0 * low;
         if (balance.lacking(high) >= 0.0) return root_between(balance, low, high);
+        low = high;
+    }
     return std::numeric_limits<double>::infinity();
 }
 
