@@ -28,6 +28,13 @@ std::vector<std::string> words_in(const std::string& text) {
 /// half of them, and would be cut to whole numbers between, unless it says that it has none.
 void refuse_out_of_reach(const reports::Study& study, const std::vector<int>& values,
                          const std::string& typed) {
+    if (study.is_a_list()) {
+        const auto last = int(study.grids().size());
+        if (std::ranges::any_of(values, [&](int value) { return value > last; }))
+            throw InputError(
+                fmt::format("{}: {} has a {} 1 to {}", typed, study.name(), study.axis(), last));
+        return;
+    }
     constexpr int coarser = 4;
     constexpr int finer = 8;
     const auto [least, most] = std::ranges::minmax(study.grids());
@@ -113,6 +120,7 @@ std::optional<std::vector<int>> ChosenGrids::of(const reports::Study& study) con
         refuse_out_of_reach(study, values_, typed());
         return values_;
     }
+    if (axis_.empty() && study.is_a_list()) return std::vector<int>{};  // no grids
     auto values = study.grids();
     std::erase_if(values,
                   [&](int value) { return std::ranges::find(values_, value) == values_.end(); });

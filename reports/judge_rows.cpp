@@ -85,6 +85,18 @@ public:
         return result;
     }
 
+    GateResult operator()(const Study::TotalBound& row) const {
+        const Bound bound = titled(row);
+        if (!left_out_.empty()) return ungated(bound, row.bound.quantity, left_out_);
+        double sum = 0.0;
+        for (const auto& run : runs_) {
+            const auto value = value_of(run, row.bound.quantity);
+            if (!value) return unjudged(bound, fmt::format("no value from run {}", run.grid));
+            sum += *value;
+        }
+        return judge(bound, sum);
+    }
+
     /// The bound as it is listed: with the grid that it is of.
     static Bound titled(const Study::GridBound& row) {
         Bound bound = row.bound;
@@ -94,6 +106,11 @@ public:
     static Bound titled(const Study::LimitBound& row) {
         Bound bound = row.bound;
         bound.quantity += ", h -> 0";
+        return bound;
+    }
+    static Bound titled(const Study::TotalBound& row) {
+        Bound bound = row.bound;
+        bound.quantity += ", all runs";
         return bound;
     }
 

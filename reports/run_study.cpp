@@ -12,7 +12,7 @@ namespace crawford::reports {
 namespace {
 
 void check(const Study& study) {
-    if (!study.measure()) throw std::invalid_argument(study.name() + ": nothing to measure");
+    if (!study.run()) throw std::invalid_argument(study.name() + ": nothing to measure");
     if (study.rows().empty()) throw std::invalid_argument(study.name() + ": no gate");
 }
 
@@ -26,8 +26,10 @@ std::vector<int> grids_of(const Task& task) {
     return grids;
 }
 
-/// Share of the study's cost: taken to grow as the number of cells in two dimensions.
+/// Share of the study's cost: taken to grow as the number of cells in two dimensions. Settings of a
+/// list cost alike.
 double cost_of(const Task& task, int grid) {
+    if (task.study.is_a_list()) return task.seconds / double(task.study.grids().size());
     double whole = 0.0;
     for (const int own : task.study.grids()) whole += double(own) * own;
     return task.seconds * double(grid) * grid / std::max(1.0, whole);
@@ -63,7 +65,7 @@ void make(std::vector<Run*> missing, RecordStore* store, const OnProgress& on_pr
         jobs.push_back(
             {name_of(*run), cost_of(*run->task, run->grid), [run, store](const Job::Progress&) {
                  const Study& study = run->task->study;
-                 run->record = record_of(study.name(), study.setting(run->grid), study.measure());
+                 run->record = record_of(study.name(), study.setting(run->grid), study.run());
                  if (store != nullptr) store->add(*run->record);
              }});
         if (!run_of.emplace(jobs.back().name, run).second)

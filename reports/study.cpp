@@ -1,10 +1,20 @@
 #include "reports/study.hpp"
 
+#include <numeric>
+
 namespace crawford::reports {
 
 Study& Study::refines(std::string axis, std::vector<int> values) {
     axis_ = std::move(axis);
     grids_ = std::move(values);
+    return *this;
+}
+
+Study& Study::lists(std::string axis, int count) {
+    axis_ = std::move(axis);
+    grids_.resize(size_t(count));
+    std::iota(grids_.begin(), grids_.end(), 1);
+    is_a_list_ = true;
     return *this;
 }
 
@@ -25,14 +35,21 @@ Setting Study::setting(int grid) const {
 }
 
 Study& Study::measure(Measure measure) {
-    measure_ = std::move(measure);
+    run_ = [measure = std::move(measure)](Record& record) {
+        record.found = measure(record.setting);
+    };
     return *this;
 }
 
 Study& Study::measure(MeasureGrid measure) {
-    measure_ = [axis = axis_, measure = std::move(measure)](const Setting& at) {
-        return measure(at.count(axis));
+    run_ = [axis = axis_, measure = std::move(measure)](Record& record) {
+        record.found = measure(record.setting.count(axis));
     };
+    return *this;
+}
+
+Study& Study::run(FillRecord run) {
+    run_ = std::move(run);
     return *this;
 }
 
@@ -60,6 +77,11 @@ Study& Study::bound(std::string quantity, int grid, Interval allowed, std::strin
 Study& Study::limit_bound(std::string quantity, double formal_order, Interval allowed,
                           std::string reason) {
     rows_.emplace_back(LimitBound{{std::move(quantity), allowed, std::move(reason)}, formal_order});
+    return *this;
+}
+
+Study& Study::total(std::string quantity, Interval allowed, std::string reason) {
+    rows_.emplace_back(TotalBound{{std::move(quantity), allowed, std::move(reason)}});
     return *this;
 }
 

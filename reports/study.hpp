@@ -25,6 +25,8 @@ namespace crawford::reports {
 using Measure = std::function<Measurement(const Setting&)>;
 /// The same for a run that depends on nothing but the value of the axis that is refined.
 using MeasureGrid = std::function<Measurement(int value)>;
+/// The same for a run that leaves more than numbers, as what the solver said: fills the record.
+using FillRecord = std::function<void(Record&)>;
 
 class Study {
 public:
@@ -42,13 +44,19 @@ public:
         Bound bound;
         double formal_order;
     };
-    using Row = std::variant<ErrorGate, DifferenceGate, GridBound, LimitBound>;
+    struct TotalBound {
+        Bound bound;
+    };
+    using Row = std::variant<ErrorGate, DifferenceGate, GridBound, LimitBound, TotalBound>;
 
     explicit Study(std::string name) : name_(std::move(name)) {}
 
     /// The axis that is refined, and its values: cells, columns, rows, steps. The judgement calls a
     /// value of it a grid.
     Study& refines(std::string axis, std::vector<int> values);
+    /// Settings side by side, 1 to `count`, where nothing is refined: each is a run, a record and
+    /// costs alike. Their values are gated by total().
+    Study& lists(std::string axis, int count);
     /// Nothing else of a run, as its steps or layers, hangs on the axis: it takes any value, where
     /// others take what divides their own.
     Study& any_value();
@@ -57,6 +65,7 @@ public:
     Study& measure(Measure measure);
     /// Call it after refines().
     Study& measure(MeasureGrid measure);
+    Study& run(FillRecord run);
     /// The terms of the equations in which this study would see a fault: its columns of the
     /// coverage matrix.
     Study& covers(std::vector<std::string> terms);
@@ -73,16 +82,20 @@ public:
     /// the interval.
     Study& limit_bound(std::string quantity, double formal_order, Interval allowed,
                        std::string reason);
+    /// The sum of `quantity` over all runs must lie in the interval; a run that failed is a failure.
+    Study& total(std::string quantity, Interval allowed, std::string reason);
 
     const std::string& name() const { return name_; }
     const std::string& axis() const { return axis_; }
     const std::vector<int>& grids() const { return grids_; }
     bool takes_any_value() const { return takes_any_value_; }
+    /// Whether it lists settings and refines nothing.
+    bool is_a_list() const { return is_a_list_; }
     /// What a run on this grid is set to.
     Setting setting(int grid) const;
     const std::vector<std::string>& covered() const { return covered_; }
     const std::vector<Row>& rows() const { return rows_; }
-    const Measure& measure() const { return measure_; }
+    const FillRecord& run() const { return run_; }
 
 private:
     std::string name_;
@@ -90,8 +103,9 @@ private:
     Setting fixed_;
     std::vector<int> grids_;
     bool takes_any_value_ = false;
+    bool is_a_list_ = false;
     std::vector<std::string> covered_;
-    Measure measure_;
+    FillRecord run_;
     std::vector<Row> rows_;
 };
 

@@ -2,7 +2,6 @@
 /// also where it is refused, and again much finer.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "solver/scene/scene.hpp"
@@ -26,20 +25,9 @@ struct Answer {
 Answer burn_in_any_case(const Scene& scene);
 
 /// At least twice the columns and rows at half the step, and more where that is too coarse itself:
-/// heats of ten times the paper's burn ten times as fast. The coupling is the one that holds for any
-/// coupling number.
-Scene finer(Scene scene);
-
-/// As finer(), with rows, depth and step by which no number of its slabs is near its limit, by the
-/// paper's scheme and element. It ends at the same time.
+/// rows, depth and step by which no number of its slabs is near its limit, by the paper's scheme and
+/// element. The coupling is the one that holds for any coupling number. It ends at the same time.
 Scene finest(const Scene& scene);
-
-/// The scene with the step that the words advise, if they name one: "reduce time.step to 7.6 us".
-std::optional<Scene> advised(Scene scene, const std::string& said);
-
-/// The larger of the relative differences in burnt depth and regression rate; 1 of what does not
-/// burn to its end.
-double off(const Answer& found, const Answer& right);
 
 /// What became of a setting.
 struct Judged {

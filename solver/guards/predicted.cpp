@@ -1,6 +1,7 @@
 #include "solver/guards/predicted.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/guards/burning_guards.hpp"
 #include "solver/guards/coupling_guard.hpp"
@@ -27,6 +28,16 @@ std::vector<Part> parts_of(const Scene& scene) {
     for (size_t k = 0; k < scene.morphology.materials.size(); ++k)
         parts.push_back({k, scene.morphology.materials[k], steady_slab(scene, k)});
     return parts;
+}
+
+/// Of the middle of the uppermost row, where heat and stress meet [K]: cooler than the surface by what a
+/// layer of exp(r_b y/D) loses over half a row.
+double hottest_cell(const Scene& scene, const Grid& grid, const Part& part) {
+    const double cold = scene.bottom.temperature;
+    if (!part.burns()) return cold;
+    const double depth = 0.5 * grid.height(grid.rows() - 1);
+    return cold + (part.answer.slab.surface_temperature - cold) *
+                      std::exp(-depth * part.burn_rate() / part.material.diffusivity());
 }
 
 /// Keeps of each name the guard that is nearest its limit, or beyond it.
@@ -85,10 +96,8 @@ Guards numbers_of(const Scene& scene) {
     for (const Part& part : parts) {
         if (auto without = burning_solution(scene, part.number, part.answer))
             add_worst(guards, std::move(*without));
-        const double hottest =
-            part.burns() ? part.answer.slab.surface_temperature : scene.bottom.temperature;
         if (scene.physics.heat && scene.physics.mechanics)
-            add_coupling(guards, scene, part.material, hottest);
+            add_coupling(guards, scene, part.material, hottest_cell(scene, grid, part));
         if (scene.physics.heat) {
             add_worst(guards, fourier(scene, grid, part.material));
             add_worst(guards, relaxation(scene, grid, part.material));

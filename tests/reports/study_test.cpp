@@ -69,13 +69,46 @@ TEST(StudyRun, GatesOnTheCallersGridsWhatTheySufficeFor) {
     EXPECT_TRUE(all_passed(results)) << table(results);
 }
 
+TEST(StudyRun, TotalsTheSettingsOfAList) {
+    Study s("list");
+    s.lists("setting", 3)
+        .run([](Record& record) {
+            const int setting = record.setting.count("setting");
+            record.said = "heard";
+            record.found = Measurement().value("odd", setting % 2).value("three", setting / 3);
+        })
+        .total("odd", between(2, 2), "1 and 3")
+        .total("three", at_most(0), "3 is over");
+    const auto results = run(s);
+    EXPECT_EQ(results[0].quantity, "odd, all runs");
+    EXPECT_EQ(results[0].value, 2.0);
+    EXPECT_TRUE(results[0].passed) << results[0].failure;
+    EXPECT_FALSE(results[1].passed);
+    EXPECT_TRUE(results[1].fell_short());
+}
+
+TEST(StudyRun, HasNoTotalWhereOneRunFailed) {
+    Study s("list");
+    s.lists("setting", 3)
+        .measure([](int setting) {
+            if (setting == 2) throw std::runtime_error("no convergence");
+            return Measurement().value("wrong", 0.0);
+        })
+        .total("wrong", at_most(0), "none");
+    const auto result = run(s).front();
+    EXPECT_TRUE(result.fell_short());
+    EXPECT_NE(result.failure.find("no value from run 2"), std::string::npos) << result.failure;
+    EXPECT_NE(result.failure.find("no convergence"), std::string::npos) << result.failure;
+}
+
 /// Every kind of row, each in need of grid 256.
 Study all_rows() {
     auto s = study();
     s.gate("temperature", Norm::L2, expect(2.0).within(0.01), "h^2 added")
         .difference_gate("temperature", Norm::L2, expect(2.0).within(0.01), "h^2 added")
         .bound("T_s", 256, between(0, 1e3), "any")
-        .limit_bound("T_s", 2.0, between(0, 1e3), "any");
+        .limit_bound("T_s", 2.0, between(0, 1e3), "any")
+        .total("T_s", between(0, 1e4), "any");
     return s;
 }
 
@@ -92,8 +125,8 @@ TEST(StudyRun, LeavesUngatedWhatTheCallersGridsDoNotSufficeFor) {
 
 TEST(StudyRun, LeavesEverythingUngatedOnNoGridAtAll) {
     const auto results = run({Task{.study = all_rows(), .grids = std::vector<int>{}}});
-    ASSERT_EQ(results.at(0).gates.size(), 4U);
-    EXPECT_EQ(count(results[0].gates).not_gated, 4U);
+    ASSERT_EQ(results.at(0).gates.size(), 5U);
+    EXPECT_EQ(count(results[0].gates).not_gated, 5U);
     EXPECT_EQ(results[0].gates[0].quantity, "temperature");
 }
 
