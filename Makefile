@@ -7,7 +7,7 @@ JOBS ?= $(shell nproc)
 # Debian 12. OpenBLAS makes the Cholesky factorisation three times as fast as the reference BLAS does.
 PACKAGES := build-essential cmake ninja-build \
   libeigen3-dev libsuitesparse-dev libopenblas-dev libboost-dev libhdf5-dev \
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libudunits2-dev \
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libudunits2-dev libpugixml-dev zlib1g-dev \
   libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox
 TOOLS := clang-format clang-tidy
 PYTHON_PACKAGES := python3-dev pybind11-dev python3-numpy python3-h5py python3-pytest

@@ -39,6 +39,7 @@ endfunction()
 # same.
 function(crawford_program name)
   add_executable(${name} ${ARGN} $<TARGET_OBJECTS:program> $<TARGET_OBJECTS:cases>)
-  target_link_libraries(${name} PRIVATE entries solver reference reports base CLI11::CLI11)
+  target_link_libraries(${name} PRIVATE entries solver reference reports base CLI11::CLI11
+    pugixml::pugixml ZLIB::ZLIB)
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
 endfunction()

@@ -108,6 +108,7 @@ std::string as_json(const JudgeCase& one, const JudgeOptions& options,
               {"truth", one.truth},
               {"set", options.set},
               {"time", options.time},
+              {"from_surface", options.from_surface},
               {"passed", gated.empty() ? Json(nullptr) : Json(reports::all_passed(gated))},
               {"gates", gated},
               {"not_gated", others}};
@@ -175,8 +176,9 @@ int judge(const JudgeOptions& options, const std::vector<std::string>& command) 
     if (options.describe) return describe(one, options);
     one.set.insert(one.set.end(), options.set.begin(), options.set.end());
     const auto truth = told_truth(one.entry(), one.set);
-    const double time = options.time.empty() ? 0.0 : told_time(options.time);
-    const JudgedFiles files = judged_files(one, truth, options.files, options.fields, time);
+    const WherePoints where{.time = options.time.empty() ? 0.0 : told_time(options.time),
+                            .from_surface = options.from_surface};
+    const JudgedFiles files = judged_files(one, truth, options.files, options.fields, where);
     const auto gated = judged(one, files, options);
     const auto others = ungated(one, files, gated);
     const bool only_json = options.json && (options.json->empty() || *options.json == "-");

@@ -4,20 +4,25 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <map>
 #include <optional>
 
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
 #include "program/point_file.hpp"
+#include "program/read_tables.hpp"
 #include "program/told_truth.hpp"
 
 namespace crawford {
 
 namespace {
 
-std::map<int, CsvTable> tables(const std::vector<std::string>& files) {
-    std::map<int, CsvTable> tables;
+/// What a file holds: a CSV file its table, a mesh its points and its cells.
+using Tables = std::vector<CsvTable>;
+
+std::map<int, Tables> tables(const std::vector<std::string>& files) {
+    std::map<int, Tables> tables;
     for (const std::string& one : files) {
         const auto equals = one.find('=');
         int grid = 0;
@@ -29,7 +34,7 @@ std::map<int, CsvTable> tables(const std::vector<std::string>& files) {
                 "{}: write GRID=FILE, the number of cells along the side that is refined and its "
                 "results, e.g. 64=fields64.csv",
                 one));
-        if (!tables.emplace(grid, read_csv(one.substr(equals + 1))).second)
+        if (!tables.emplace(grid, read_tables(one.substr(equals + 1))).second)
             throw InputError(fmt::format("{}: grid {} is given twice", one, grid));
     }
     return tables;
@@ -68,12 +73,27 @@ MappedField mapped(const JudgeCase& one, const std::string& text) {
             colon == std::string::npos ? "" : rest.substr(colon + 1)};
 }
 
-/// Every column that bears the name of a field.
-std::vector<MappedField> found_fields(const JudgeCase& one, const CsvTable& table) {
+bool has_column(const CsvTable& table, const std::string& name) {
+    return std::ranges::any_of(table.header, [&](const std::string& heading) {
+        return csv_heading(heading).name == name;
+    });
+}
+
+bool is_there(const std::vector<MappedField>& fields, const std::string& column) {
+    return std::ranges::find(fields, column, &MappedField::column) != fields.end();
+}
+
+/// Every column that bears the name of a field; what points and cells both have, at points.
+std::vector<MappedField> found_fields(const JudgeCase& one, const Tables& tables) {
     std::vector<MappedField> fields;
-    for (const std::string& heading : table.header) {
-        const std::string name = csv_heading(heading).name;
-        if (const auto field = field_named(one, name)) fields.push_back({*field, name, ""});
+    for (const CsvTable& table : tables) {
+        std::vector<MappedField> here;
+        for (const std::string& heading : table.header) {
+            const std::string name = csv_heading(heading).name;
+            const auto field = field_named(one, name);
+            if (field && !is_there(fields, name)) here.push_back({*field, name, ""});
+        }
+        fields.insert(fields.end(), here.begin(), here.end());
     }
     if (!fields.empty()) return fields;
     std::string known;
@@ -81,7 +101,7 @@ std::vector<MappedField> found_fields(const JudgeCase& one, const CsvTable& tabl
         known += fmt::format("{}{} [{}]", known.empty() ? "" : ", ", field.name, field.unit);
     throw InputError(
         fmt::format("{} has no field of {}; map one with --field NAME=COLUMN, NAME being one of {}",
-                    table.file.string(), one.truth, known));
+                    tables.front().file.string(), one.truth, known));
 }
 
 std::vector<double> weights(const CsvTable& table) {
@@ -101,18 +121,43 @@ std::vector<double> weights(const CsvTable& table) {
     return {};
 }
 
-reports::Measurement measured(int grid, const CsvTable& table, const reference::Truth& truth,
-                              const std::vector<MappedField>& fields, double time) {
-    const auto points = csv_points(table);
-    const auto exact = told_values(truth, table, points, time);
+/// y of the highest point [m].
+double highest_point(const CsvTable& table) {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector2d& point : csv_points(table)) highest = std::max(highest, point.y());
+    return highest;
+}
+
+/// Compares the fields that this table has; y counts from `highest`.
+void measure(const CsvTable& table, const reference::Truth& truth,
+             const std::vector<MappedField>& fields, const WherePoints& where, double highest,
+             reports::Measurement& found) {
+    auto points = csv_points(table);
+    for (Eigen::Vector2d& point : points) point.y() -= highest;
+    const auto exact = told_values(truth, table, points, where.time);
     const auto sizes = weights(table);
-    reports::Measurement found(1.0 / grid);
     for (const auto& [field, column, unit] : fields) {
         const auto values = csv_quantities(table, csv_column(table, column), field.unit, unit);
         const auto truths = exact.column(field.name);
         found.field(field.name, values, truths, sizes);
         found.value("|" + field.name + " - truth|, largest",
                     distance(reports::Norm::Linf, values, truths, sizes));
+    }
+}
+
+reports::Measurement measured(int grid, const Tables& tables, const reference::Truth& truth,
+                              const std::vector<MappedField>& fields, const WherePoints& where) {
+    reports::Measurement found(1.0 / grid);
+    const double highest = where.from_surface ? highest_point(tables.front()) : 0.0;
+    std::vector<MappedField> to_find = fields;
+    for (const CsvTable& table : tables) {
+        // The last answers for what is nowhere: it names the nearest heading.
+        const bool is_last = &table == &tables.back();
+        std::vector<MappedField> here, elsewhere;
+        for (const MappedField& field : to_find)
+            (is_last || has_column(table, field.column) ? here : elsewhere).push_back(field);
+        if (!here.empty()) measure(table, truth, here, where, highest, found);
+        to_find = std::move(elsewhere);
     }
     return found;
 }
@@ -121,7 +166,7 @@ reports::Measurement measured(int grid, const CsvTable& table, const reference::
 
 JudgedFiles judged_files(const JudgeCase& one, const reference::Truth& truth,
                          const std::vector<std::string>& files,
-                         const std::vector<std::string>& fields, double time) {
+                         const std::vector<std::string>& fields, const WherePoints& where) {
     const auto read = tables(files);
     if (read.empty())
         throw InputError(fmt::format(
@@ -134,7 +179,7 @@ JudgedFiles judged_files(const JudgeCase& one, const reference::Truth& truth,
             if (judged.fields[i].field.name == judged.fields[k].field.name)
                 throw InputError(fmt::format("{} is given twice", judged.fields[k].field.name));
     for (const auto& [grid, table] : read)
-        judged.runs.push_back({grid, measured(grid, table, truth, judged.fields, time), "", 0.0});
+        judged.runs.push_back({grid, measured(grid, table, truth, judged.fields, where), "", 0.0});
     return judged;
 }
 

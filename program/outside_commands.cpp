@@ -7,6 +7,7 @@
 #include "program/help.hpp"
 #include "program/outside_help.hpp"
 #include "program/outside_options.hpp"
+#include "program/points.hpp"
 
 namespace crawford {
 
@@ -36,12 +37,15 @@ struct OutsideCommands::Commands {
     JudgeOptions judge;
     CLI::App* order_command = nullptr;
     CLI::App* truth_command = nullptr;
+    PointsOptions points;
     CLI::App* judge_command = nullptr;
+    CLI::App* points_command = nullptr;
 
     explicit Commands(CLI::App& app) {
         add_order(app);
         add_truth(app);
         add_judge(app);
+        add_points(app);
     }
 
     void add_order(CLI::App& app) {
@@ -107,8 +111,9 @@ struct OutsideCommands::Commands {
         judge_command = app.add_subcommand("judge", help::judge);
         judge_command->add_option("CASE", judge.name, "Problem that was solved: see --describe")
             ->required();
-        judge_command->add_option("GRID=FILE", judge.files,
-                                  "Cells along the refined side, and the results on them (CSV)");
+        judge_command->add_option(
+            "GRID=FILE", judge.files,
+            "Cells along the refined side, and the results on them (CSV, VTU, VTKHDF)");
         judge_command->add_flag("--describe", judge.describe,
                                 "Say what there is to solve; with --json for programs");
         judge_command
@@ -121,6 +126,8 @@ struct OutsideCommands::Commands {
             ->allow_extra_args(false);
         judge_command->add_option("--time", judge.time, "Time of the results, else 0 s")
             ->type_name("T");
+        judge_command->add_flag("--from-surface", judge.from_surface,
+                                "Count y from the highest point: a level surface that has moved");
         auto* const expect =
             judge_command
                 ->add_option("--expect", judge.expect, "Order of all fields, for the case's gates")
@@ -138,6 +145,17 @@ struct OutsideCommands::Commands {
                                                "Write DIR/verify.json and DIR/report.html"))
             ->type_name("DIR");
         add_footer(judge_command, help::judge_examples);
+    }
+
+    void add_points(CLI::App& app) {
+        points_command = app.add_subcommand("points", help::points);
+        points_command->add_option("FILE", points.file, "VTU or VTKHDF file")->required();
+        points_command->add_option("--at", points.at, "Of the fields that are wanted")
+            ->check(CLI::IsMember({"points", "cells"}))
+            ->capture_default_str();
+        refuse_empty(points_command->add_option("--out", points.out, "Write the table there"))
+            ->type_name("FILE.csv");
+        add_footer(points_command, help::points_examples);
     }
 
     int run_truth() {
@@ -162,6 +180,8 @@ std::function<int()> OutsideCommands::action(const std::vector<std::string>& com
     if (commands->truth_command->parsed()) return [commands] { return commands->run_truth(); };
     if (commands->judge_command->parsed())
         return [commands, command] { return judge(commands->judge, command); };
+    if (commands->points_command->parsed())
+        return [commands] { return crawford::points(commands->points); };
     return {};
 }
 

@@ -42,7 +42,8 @@ inline constexpr auto judge_examples = R"(
 CASE is sandwich-mechanical, sandwich-thermal, slab, or any exact solution of crawford truth --list;
 --describe says what to solve, with all properties. Each file is CSV, points or cells anywhere in
 the domain: "x [m],y [m]" and fields, "temperature [K]" or what --field maps; a column weight or area
-weighs the points (else all count alike). h = 1/GRID. Errors in L1, L2 and Linf, orders, and the
+weighs the points (else all count alike). Or it is VTU or VTKHDF, whose fields at points and
+at cells are both read: see crawford points. h = 1/GRID. Errors in L1, L2 and Linf, orders, and the
 verdict by the rules that our own studies are held to. docs/judge.md is a tour.
 
 Examples:
@@ -50,5 +51,17 @@ Examples:
   crawford judge slab 32=T32.csv 64=T64.csv 128=T128.csv
   crawford judge slab 32=T32.csv 64=T64.csv 128=T128.csv --field T=temp:degC --set depth="300 um"
   crawford judge manufactured-heat 16=a.csv 32=b.csv 64=c.csv --expect 2 --time "1 ms" --json -)";
+
+inline constexpr auto points = "Fields of a VTU or VTKHDF file as CSV";
+
+inline constexpr auto points_examples = R"(
+An unstructured grid in the plane: triangles, quadrilaterals, polygons. VTU: ascii, binary or
+appended, raw or in base64, packed by zlib or not. VTKHDF: one time, as crawford burn writes it.
+Columns: "x [m],y [m]", each component of each field, and "area [m2]", what a point or cell stands
+for. A unit is the attribute `units` (VTKHDF), or what stands in brackets after a name.
+
+Examples:
+  crawford points fields.vtu
+  crawford points out/sandwich/sandwich_000010.hdf --at cells --out stress.csv)";
 
 }  // namespace crawford::help

@@ -38,6 +38,7 @@ struct JudgeOptions {
     std::vector<std::string> fields;  ///< "NAME=COLUMN" or "NAME=COLUMN:UNIT"
     std::vector<std::string> set;     ///< "key=value"
     std::string time;                 ///< with its unit; 0 s if empty
+    bool from_surface = false;        ///< y counts from the highest point
     std::optional<double> expect;     ///< in place of the gates of the case
     double within = 0.1;
     bool describe = false;

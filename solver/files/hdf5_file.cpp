@@ -210,6 +210,30 @@ std::string Hdf5File::text_attribute(const std::string& object, const std::strin
     return text;
 }
 
+bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
+    return H5Aexists_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> Hdf5File::names(const std::string& group) const {
+    const Hdf5Handle opened =
+        checked(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT), H5Gclose, group);
+    H5G_info_t info{};
+    check(H5Gget_info(opened.id(), &info) >= 0, group);
+    std::vector<std::string> names;
+    for (hsize_t k = 0; k < info.nlinks; ++k) {
+        const auto name_at = [&](char* text, size_t room) {
+            const ssize_t size = H5Lget_name_by_idx(opened.id(), ".", H5_INDEX_NAME, H5_ITER_INC, k,
+                                                    text, room, H5P_DEFAULT);
+            check(size >= 0, group);
+            return size_t(size);
+        };
+        std::string name(name_at(nullptr, 0) + 1, '\0');
+        name.resize(name_at(name.data(), name.size()));
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
 void Hdf5File::publish() {
     check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0, "");
     const ssize_t size = H5Fget_file_image(file_.id(), nullptr, 0);

@@ -66,7 +66,10 @@ public:
     Shape shape(const std::string& path) const;
     template <class Number>
     std::vector<Number> read(const std::string& path) const;
+    /// Of the links in a group.
+    std::vector<std::string> names(const std::string& group) const;
     std::string text_attribute(const std::string& object, const std::string& name) const;
+    bool has_attribute(const std::string& object, const std::string& name) const;
 
     /// Writes the file whole, in place of what was there. HDF5 itself never touches the disk,
     /// because after a failed write (a full disk) it cannot even be left in order.
