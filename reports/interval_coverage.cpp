@@ -183,9 +183,9 @@ std::vector<WeightedFactor> factors_of(const Estimator& estimator,
     for (const KnownSeries& series : all) {
         const Outcomes outcomes = outcomes_of(estimator, series, size);
         for (const Outcome& o : outcomes)
-            factors.push_back({o.answers() ? o.error / o.half_width
-                                           : std::numeric_limits<double>::infinity(),
-                               1.0 / double(outcomes.size())});
+            factors.push_back(
+                {o.answers() ? o.error / o.half_width : std::numeric_limits<double>::infinity(),
+                 1.0 / double(outcomes.size())});
     }
     return factors;
 }

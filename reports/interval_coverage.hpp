@@ -61,7 +61,7 @@ struct CoverageTally {
     Range binomial = {};  ///< Clopper-Pearson, 95 %, of these
     /// Of the sets that are answered: half-width over the true error of the finest grid.
     double median_width = Estimate::none;
-    double upper_width = Estimate::none;     ///< that of nine in ten is below
+    double upper_width = Estimate::none;      ///< that of nine in ten is below
     double median_relative = Estimate::none;  ///< half-width over the size of the value
     std::map<SetShape, ShapeTally> shapes = {};
 };

@@ -41,14 +41,13 @@ std::vector<KnownValue> values_of(const ElasticStep& step, const Truth& truth,
         const NodeIndex n = node_at(grid, place);
         const double x = grid.x(n.i), y = step.surface()[size_t(n.i)] + grid.eta(n.j);
         const auto add = [&](const char* what, const char* unit, double value, double exact) {
-            values.push_back({fmt::format("{} at {:g}, {:g} [{}]", what, place.across, place.up,
-                                          unit),
-                              value, exact});
+            values.push_back(
+                {fmt::format("{} at {:g}, {:g} [{}]", what, place.across, place.up, unit), value,
+                 exact});
         };
         const auto stress = [&](double PlaneStress::*component) {
-            return between_cells(grid, n, [&](int i, int j) {
-                return step.stress().mean(i, j).*component;
-            });
+            return between_cells(grid, n,
+                                 [&](int i, int j) { return step.stress().mean(i, j).*component; });
         };
         const Vector moved = step.displacement()(n.i, n.j);
         const auto exact = truth.displacement(x, y);
@@ -63,93 +62,90 @@ std::vector<KnownValue> values_of(const ElasticStep& step, const Truth& truth,
 
 KnownProblem body(Fidelity fidelity, const std::string& name, const WavyBody& body,
                   const ManufacturedElasticity& truth, double clustering, Support support) {
-    return {"elastic body", "elastic body, " + name, 2.0, grids_of(fidelity, 4), [=](int cells) {
-                Scene scene;
-                scene.domain = {.width = body.width,
-                                .depth = body.depth,
-                                .nx = cells,
-                                .ny = cells,
-                                .clustering = clustering};
-                scene.morphology.materials = {material_of(moduli)};
-                scene.surface.pressure = 0.0;
-                scene.bottom.support = support;
-                const ProjectionSources sources{
-                    .body_force = [&](double x, double y,
-                                      double) { return truth.body_force(x, y); },
-                    .traction = [&](double x, double y, double) -> Vector {
-                        return reference::traction(truth.stress(x, y), body.slope(x));
-                    }};
-                const ElasticStep step(
-                    scene, [&](double x) { return body.surface(x); }, sources);
-                return values_of(step, truth, {{0.25, 0.5}, {0.5, 0.75}, {0.25, 1.0}});
-            }};
+    return {
+        "elastic body", "elastic body, " + name, 2.0, grids_of(fidelity, 4), [=](int cells) {
+            Scene scene;
+            scene.domain = {.width = body.width,
+                            .depth = body.depth,
+                            .nx = cells,
+                            .ny = cells,
+                            .clustering = clustering};
+            scene.morphology.materials = {material_of(moduli)};
+            scene.surface.pressure = 0.0;
+            scene.bottom.support = support;
+            const ProjectionSources sources{
+                .body_force = [&](double x, double y, double) { return truth.body_force(x, y); },
+                .traction = [&](double x, double y, double) -> Vector {
+                    return reference::traction(truth.stress(x, y), body.slope(x));
+                }};
+            const ElasticStep step(
+                scene, [&](double x) { return body.surface(x); }, sources);
+            return values_of(step, truth, {{0.25, 0.5}, {0.5, 0.75}, {0.25, 1.0}});
+        }};
 }
 
 /// Faces on grid lines. \see cases/verify/projection/projection_contrast.cpp
 KnownProblem strip(Fidelity fidelity, const std::string& name, double contrast,
                    double incompressibility) {
-    return {"elastic strip", "elastic strip, " + name, 2.0, grids_of(fidelity, 8), [=](int cells) {
-                constexpr double soft = 2.5 * MPa;
-                const reference::ElasticStrip solid{
-                    .width = 1.0,
-                    .strip = 0.25,
-                    .depth = 0.5,
-                    .outer = {.bulk = 1.2 * contrast * soft, .shear = contrast * soft},
-                    .inner = {.bulk = incompressibility * soft, .shear = soft},
-                    .stress = 1.0 * MPa};
-                const reference::ManufacturedStrip truth(solid);
-                Scene scene;
-                scene.domain = {.width = solid.width,
-                                .depth = solid.depth,
-                                .nx = cells,
-                                .ny = cells / 2,
-                                .clustering = 0.0,
-                                .half = true};
-                scene.morphology = {
-                    .shape = Sandwich{solid.strip},
-                    .materials = {material_of(solid.outer), material_of(solid.inner)}};
-                scene.bottom.support = Support::clamped;
-                scene.numerics.viscous_time = 0.0;
-                const ProjectionSources sources{
-                    .body_force = [&](double x, double y,
-                                      double) { return truth.body_force(x, y); },
-                    .traction = [&](double x, double y, double) -> Vector {
-                        return reference::traction(truth.stress(x, y), 0.0);
-                    }};
-                const ElasticStep step(
-                    scene, [](double) { return 0.0; }, sources);
-                return values_of(step, truth, {{0.0, 0.5}, {0.5, 0.5}, {0.75, 0.75}, {0.75, 1.0}});
-            }};
+    return {
+        "elastic strip", "elastic strip, " + name, 2.0, grids_of(fidelity, 8), [=](int cells) {
+            constexpr double soft = 2.5 * MPa;
+            const reference::ElasticStrip solid{
+                .width = 1.0,
+                .strip = 0.25,
+                .depth = 0.5,
+                .outer = {.bulk = 1.2 * contrast * soft, .shear = contrast * soft},
+                .inner = {.bulk = incompressibility * soft, .shear = soft},
+                .stress = 1.0 * MPa};
+            const reference::ManufacturedStrip truth(solid);
+            Scene scene;
+            scene.domain = {.width = solid.width,
+                            .depth = solid.depth,
+                            .nx = cells,
+                            .ny = cells / 2,
+                            .clustering = 0.0,
+                            .half = true};
+            scene.morphology = {.shape = Sandwich{solid.strip},
+                                .materials = {material_of(solid.outer), material_of(solid.inner)}};
+            scene.bottom.support = Support::clamped;
+            scene.numerics.viscous_time = 0.0;
+            const ProjectionSources sources{
+                .body_force = [&](double x, double y, double) { return truth.body_force(x, y); },
+                .traction = [&](double x, double y, double) -> Vector {
+                    return reference::traction(truth.stress(x, y), 0.0);
+                }};
+            const ElasticStep step(
+                scene, [](double) { return 0.0; }, sources);
+            return values_of(step, truth, {{0.0, 0.5}, {0.5, 0.5}, {0.75, 0.75}, {0.75, 1.0}});
+        }};
 }
 
 KnownProblem inclusion(Fidelity fidelity, const std::string& name, double order,
                        const DiscAndMatrix& pair) {
     return {"inclusion", "inclusion, " + name, order, grids_of(fidelity, 8), [=](int cells) {
-                return values_of_inclusion(
-                    inclusion_scene(pair, cells), faded_inclusion(pair),
-                    {{0.25, 0.5}, {0.375, 0.5}, {0.5, 0.5}, {0.5, 0.75}});
+                return values_of_inclusion(inclusion_scene(pair, cells), faded_inclusion(pair),
+                                           {{0.25, 0.5}, {0.375, 0.5}, {0.5, 0.5}, {0.5, 0.75}});
             }};
 }
 
 }  // namespace
 
 std::vector<KnownProblem> elastic_problems(Fidelity fidelity) {
-    constexpr WavyBody flat{
-        .width = 240.0 * um, .depth = 240.0 * um, .height = 0.0, .phase = 0.7};
+    constexpr WavyBody flat{.width = 240.0 * um, .depth = 240.0 * um, .height = 0.0, .phase = 0.7};
     constexpr WavyBody wavy{
         .width = 240.0 * um, .depth = 240.0 * um, .height = 12.0 * um, .phase = 0.7};
     const auto clamped = [](const WavyBody& body) {
         return ManufacturedElasticity{reference::ClampedWaves{body, amplitude}, moduli};
     };
-    return {body(fidelity, "flat", flat, clamped(flat), 0.0, Support::clamped),
-            body(fidelity, "wavy", wavy, clamped(wavy), 2.0, Support::clamped),
-            body(fidelity, "on rollers", wavy,
-                 {reference::RollingWaves{wavy, moduli, amplitude, 0.0}, moduli}, 2.0,
-                 Support::roller),
-            strip(fidelity, "moduli 1e2", 1e2, 1e2),
-            strip(fidelity, "moduli 1e4, nearly incompressible", 1e4, 1e5),
-            inclusion(fidelity, "none", 2.0, {reference::ap(), reference::ap()}),
-            inclusion(fidelity, "binder in AP", 1.0, {reference::binder(), reference::ap()})};
+    return {
+        body(fidelity, "flat", flat, clamped(flat), 0.0, Support::clamped),
+        body(fidelity, "wavy", wavy, clamped(wavy), 2.0, Support::clamped),
+        body(fidelity, "on rollers", wavy,
+             {reference::RollingWaves{wavy, moduli, amplitude, 0.0}, moduli}, 2.0, Support::roller),
+        strip(fidelity, "moduli 1e2", 1e2, 1e2),
+        strip(fidelity, "moduli 1e4, nearly incompressible", 1e4, 1e5),
+        inclusion(fidelity, "none", 2.0, {reference::ap(), reference::ap()}),
+        inclusion(fidelity, "binder in AP", 1.0, {reference::binder(), reference::ap()})};
 }
 
 }  // namespace crawford

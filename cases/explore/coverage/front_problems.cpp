@@ -32,8 +32,8 @@ std::vector<KnownValue> burnt(int cells, double end, const Exact& phi) {
     std::vector<KnownValue> values;
     for (const double across : {0.0, 0.25, 0.5, 0.75}) {
         const int i = node_at(grid, {across, 1.0}).i;
-        values.push_back({fmt::format("phi at {:g} [m]", across), surface[size_t(i)],
-                          phi(grid.x(i), end)});
+        values.push_back(
+            {fmt::format("phi at {:g} [m]", across), surface[size_t(i)], phi(grid.x(i), end)});
     }
     return values;
 }
@@ -51,7 +51,8 @@ KnownProblem wave(Fidelity fidelity, const std::string& name, double order, doub
 }  // namespace
 
 std::vector<KnownProblem> front_problems(Fidelity fidelity) {
-    return {wave(fidelity, "before its kink", 3.0, 0.5), wave(fidelity, "near its kink", 3.0, 0.9),
+    return {wave(fidelity, "before its kink", 3.0, 0.5),
+            wave(fidelity, "near its kink", 3.0, 0.9),
             wave(fidelity, "after its kink", 2.0, 1.5),
             {"front", "front, zigzag", 1.0, grids_of(fidelity, 4), [](int cells) {
                  const reference::RegressingZigzag exact(0.9, 0.5, width, burn_rate);

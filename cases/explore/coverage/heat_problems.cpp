@@ -42,8 +42,7 @@ const Places beside_cut_cells{{0.25, 0.5}, {0.5, 0.5}, {0.25, 1.0}, {0.5, 1.0}};
 
 KnownProblem of_block(Fidelity fidelity, const std::string& name, double clustering, int steps,
                       const std::function<void(reference::HeatedSolid&)>& more) {
-    return {"heat", "heat, " + name, 2.0, grids_of(fidelity, 4),
-            [=](int cells) {
+    return {"heat", "heat, " + name, 2.0, grids_of(fidelity, 4), [=](int cells) {
                 return temperatures(block(cells, clustering, more), steps > 0 ? steps : cells / 4,
                                     in_a_block);
             }};
@@ -68,19 +67,20 @@ KnownProblem of_cut_laminate(Fidelity fidelity, const std::string& name,
 
 /// Without an error in space: a grid is a number of steps. \see cases/verify/heat/heat_time.cpp
 KnownProblem in_time(Fidelity fidelity, const std::string& name, double order, double motion_at) {
-    return {"heat in time", "heat in time, " + name, order, grids_of(fidelity, 4), [=](int steps) {
-                Scene scene = heated_block(ammonium_perchlorate(), 8, 0.0);
-                scene.domain.nx = 1;
-                scene.time.end = 4.0 * ms;
-                reference::HeatedSolid solid = heated_block(reference::ap());
-                solid.linear = true;
-                solid.frequency = 500.0 / s;
-                solid.regression_rate = 0.45 * cm / s;
-                solid.speed = 0.1 * cm / s;
-                PrescribedHeat heat = manufactured(scene, solid);
-                heat.motion_at = motion_at;
-                return temperatures(heat, steps, {{0.0, 0.25}, {0.0, 0.5}, {0.0, 0.75}, {0.0, 1.0}});
-            }};
+    return {
+        "heat in time", "heat in time, " + name, order, grids_of(fidelity, 4), [=](int steps) {
+            Scene scene = heated_block(ammonium_perchlorate(), 8, 0.0);
+            scene.domain.nx = 1;
+            scene.time.end = 4.0 * ms;
+            reference::HeatedSolid solid = heated_block(reference::ap());
+            solid.linear = true;
+            solid.frequency = 500.0 / s;
+            solid.regression_rate = 0.45 * cm / s;
+            solid.speed = 0.1 * cm / s;
+            PrescribedHeat heat = manufactured(scene, solid);
+            heat.motion_at = motion_at;
+            return temperatures(heat, steps, {{0.0, 0.25}, {0.0, 0.5}, {0.0, 0.75}, {0.0, 1.0}});
+        }};
 }
 
 }  // namespace

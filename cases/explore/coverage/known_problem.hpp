@@ -13,9 +13,9 @@ namespace crawford {
 
 /// One run on each grid gives all values of a problem.
 struct KnownProblem {
-    std::string kind;   ///< "heat", "laminate", ...
-    std::string name;   ///< of all problems, one only
-    double order;       ///< formal, that the study of the same is held to
+    std::string kind;        ///< "heat", "laminate", ...
+    std::string name;        ///< of all problems, one only
+    double order;            ///< formal, that the study of the same is held to
     std::vector<int> grids;  ///< coarse to fine; h = 1/grid
     std::function<std::vector<KnownValue>(int grid)> measure;
 };

@@ -16,18 +16,39 @@ std::string truth_of(const std::string& quantity) {
 }
 
 reports::Record record_of(const KnownProblem& problem, int grid, reports::RecordStore& store) {
-    const auto setting =
-        reports::Setting().set("problem", problem.name).set("grid", long(grid));
+    const auto setting = reports::Setting().set("problem", problem.name).set("grid", long(grid));
     if (auto kept = store.find(experiment, setting)) return *kept;
-    reports::Record made =
-        reports::record_of(experiment, setting, [&](reports::Record& record) {
-            record.found = reports::Measurement(1.0 / grid);
-            for (const KnownValue& known : problem.measure(grid))
-                record.found->value(known.name, known.value)
-                    .value(truth_of(known.name), known.truth);
-        });
+    reports::Record made = reports::record_of(experiment, setting, [&](reports::Record& record) {
+        record.found = reports::Measurement(1.0 / grid);
+        for (const KnownValue& known : problem.measure(grid))
+            record.found->value(known.name, known.value).value(truth_of(known.name), known.truth);
+    });
     store.add(made);
     return made;
+}
+
+/// Each value is followed by its truth.
+std::vector<KnownValue> known_values(const reports::Measurement& found) {
+    std::vector<KnownValue> values;
+    for (std::size_t k = 0; k + 1 < found.values().size(); k += 2)
+        values.push_back({found.values()[k].first, found.values()[k].second.value,
+                          found.values()[k + 1].second.value});
+    return values;
+}
+
+/// The next grid of all quantities of a problem, which come in one order on all.
+void add(std::vector<reports::KnownSeries>& all, const KnownProblem& problem, int grid,
+         const std::vector<KnownValue>& values) {
+    if (all.empty())
+        for (const KnownValue& known : values)
+            all.push_back({.problem = problem.name,
+                           .name = problem.name + ": " + known.name,
+                           .order = problem.order,
+                           .truth = known.truth});
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        all[k].h.push_back(1.0 / grid);
+        all[k].values.push_back(values[k].value);
+    }
 }
 
 }  // namespace
@@ -48,18 +69,14 @@ std::vector<reports::KnownSeries> series_of(const KnownProblem& problem,
         if (!record.ending.is_done())
             throw NumericalFailure(fmt::format("coverage, {}, grid {}: {}", problem.name, grid,
                                                record.ending.message));
-        const auto& values = record.found->values();
-        for (std::size_t k = 0; k < values.size(); k += 2) {  // each is followed by its truth
-            if (all.size() <= k / 2)
-                all.push_back({.problem = problem.name,
-                               .name = problem.name + ": " + values[k].first,
-                               .order = problem.order,
-                               .truth = values[k + 1].second.value});
-            all[k / 2].h.push_back(record.found->h());
-            all[k / 2].values.push_back(values[k].second.value);
-            all[k / 2].truth = values[k + 1].second.value;
-        }
+        add(all, problem, grid, known_values(*record.found));
     }
+    return all;
+}
+
+std::vector<reports::KnownSeries> series_of(const KnownProblem& problem) {
+    std::vector<reports::KnownSeries> all;
+    for (const int grid : problem.grids) add(all, problem, grid, problem.measure(grid));
     return all;
 }
 

@@ -22,4 +22,7 @@ void keep_values(const KnownProblem& problem, int grid, reports::RecordStore& st
 std::vector<reports::KnownSeries> series_of(const KnownProblem& problem,
                                             reports::RecordStore& store);
 
+/// The same of runs that are made now and not kept.
+std::vector<reports::KnownSeries> series_of(const KnownProblem& problem);
+
 }  // namespace crawford

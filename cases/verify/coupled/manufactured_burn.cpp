@@ -288,19 +288,19 @@ std::vector<KnownValue> values_of_manufactured(const ManufacturedBurn& burn,
         const NodeIndex n = node_at(run.grid(), place);
         const Vector p = Places(run.grid(), surface).node(n.i, n.j);
         const auto add = [&](const char* what, const char* unit, double value, double expected) {
-            values.push_back({fmt::format("{} at {:g}, {:g} [{}]", what, place.across, place.up,
-                                          unit),
-                              value, expected});
+            values.push_back(
+                {fmt::format("{} at {:g}, {:g} [{}]", what, place.across, place.up, unit), value,
+                 expected});
         };
         const auto between = [&](const auto& component) {
-            return between_cells(run.grid(), n, [&](int i, int j) {
-                return component(s.stress.mean(i, j));
-            });
+            return between_cells(run.grid(), n,
+                                 [&](int i, int j) { return component(s.stress.mean(i, j)); });
         };
         const PlaneStress stress = plane(exact.stress(p.x(), p.y(), s.time));
         add("T", "K", s.temperature(n.i, n.j), exact.temperature(p.x(), p.y(), s.time));
         add("v", "m/s", s.velocity(n.i, n.j).y(), exact.velocity(p.x(), p.y(), s.time).y());
-        add("xi_y - y", "m", s.reference_shift(n.i, n.j).y(), exact.shift(p.x(), p.y(), s.time).y());
+        add("xi_y - y", "m", s.reference_shift(n.i, n.j).y(),
+            exact.shift(p.x(), p.y(), s.time).y());
         add("phi", "m", s.surface[size_t(n.i)], surface[size_t(n.i)]);
         add("sigma_11", "Pa", between([](const PlaneStress& m) { return m.s11; }), stress.s11);
         add("sigma_12", "Pa", between([](const PlaneStress& m) { return m.s12; }), stress.s12);

@@ -97,16 +97,15 @@ std::vector<KnownValue> values_of_inclusion(const Scene& scene, const FadedInclu
         const NodeIndex n = node_at(grid, place);
         const double x = grid.x(n.i) - centre.x(), y = grid.eta(n.j) - centre.y();
         const auto add = [&](const char* what, const char* unit, double value, double exact) {
-            values.push_back({fmt::format("{} at {:g}, {:g} [{}]", what, place.across, place.up,
-                                          unit),
-                              value, exact});
+            values.push_back(
+                {fmt::format("{} at {:g}, {:g} [{}]", what, place.across, place.up, unit), value,
+                 exact});
         };
         const Vector by = state.velocity(n.i, n.j) * scene.time.step;
         add("u", "m", by.x(), truth.displacement(x, y).x());
         add("v", "m", by.y(), truth.displacement(x, y).y());
-        add("sigma_22", "Pa", between_cells(grid, n, [&](int i, int j) {
-                return state.stress.mean(i, j).s22;
-            }),
+        add("sigma_22", "Pa",
+            between_cells(grid, n, [&](int i, int j) { return state.stress.mean(i, j).s22; }),
             truth.stress(x, y).yy);
     }
     return values;
