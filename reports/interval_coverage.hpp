@@ -14,8 +14,8 @@ namespace crawford::reports {
 
 /// One quantity on a series of grids, coarse to fine.
 struct KnownSeries {
-    std::string problem;  ///< those of one problem come from the same runs, and go together
-    std::string name;
+    std::string problem = {};  ///< those of one problem come from the same runs, and go together
+    std::string name = {};
     double order = 2.0;  ///< formal
     std::vector<double> h = {}, values = {};
     double truth = 0.0;

@@ -91,7 +91,9 @@ Outcome coverage(const Request& request) {
     add_panel(figure, tallied, 3, "three");
     add_panel(figure, tallied, 4, "four");
     figure.other("json", "../coverage.json", json_of(all, tallied))
-        .caption({.revision = revision(), .note = "bars: 95 % of resamplings of whole problems"});
+        .caption(
+            {.revision = revision(),
+             .note = "open: the half to choose on, full: the other; bars: 95 % of resamplings"});
     return {figure, findings_of(tallied), {}};
 }
 

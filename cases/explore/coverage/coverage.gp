@@ -2,13 +2,14 @@
 # chosen on; full ones: the other.
 
 set border 3
+set tmargin 6
 set xlabel 'median half-width [true errors of the finest grid]'
 set ylabel 'truths held [%]'
 set logscale x
 set format x '%g'
 set xtics (1, 1.25, 1.5, 2, 3, 4, 5)
 set xrange [1:5]
-set yrange [40:103]
+set yrange [60:102]
 set offsets 0, 0, 0, 0
 open(k) = k == 1 ? 6 : k == 2 ? 4 : k == 3 ? 8 : 12
 full(k) = open(k) + 1
