@@ -50,12 +50,18 @@ double order_of_celik(const Three& g) {
     const auto residual = [&](double p) {
         return p * log_21 - std::abs(std::log(std::abs(ratio)) + q(p));
     };
-    constexpr double lowest = 1e-6;
-    const bool has_root = residual(lowest) < 0.0 && residual(highest_order) > 0.0;
-    if (!has_root) return Estimate::none;
+    // Negative at p = 0. Where r32 is above the square of r21 it is negative again for high p, by the
+    // absolute value: the first root is the order.
+    constexpr double step = 0.05;
+    double low_end = 1e-6, high_end = step;
+    while (high_end < highest_order && residual(high_end) < 0.0) {
+        low_end = high_end;
+        high_end += step;
+    }
+    if (!(residual(low_end) < 0.0 && residual(high_end) >= 0.0)) return Estimate::none;
     std::uintmax_t iterations = 200;
     const auto [low, high] = boost::math::tools::toms748_solve(
-        residual, lowest, highest_order, boost::math::tools::eps_tolerance<double>(48), iterations);
+        residual, low_end, high_end, boost::math::tools::eps_tolerance<double>(48), iterations);
     return 0.5 * (low + high);
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/default_estimate.hpp"
+
 namespace crawford::reports {
 namespace {
 
@@ -48,7 +50,7 @@ void record(GateResult& result, const Convergence& all, const Convergence& range
         h.push_back(level.h);
         errors.push_back(level.error);
     }
-    if (h.size() >= 3 && !range.defect()) result.limit = extrapolate(h, errors, formal_order);
+    if (h.size() >= 3 && !range.defect()) result.limit = default_limit(h, errors, formal_order);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "reports/default_estimate.hpp"
+
 namespace crawford::reports {
 namespace {
 
@@ -78,7 +80,7 @@ public:
                 return unjudged(bound, fmt::format("no value from grid {}", run.grid));
         GateResult seen;
         record(seen, row.bound.quantity);
-        const auto limit = extrapolate(seen.h, seen.values, row.formal_order);
+        const auto limit = default_limit(seen.h, seen.values, row.formal_order);
         auto result = judge(bound, limit.value);
         record(result, row.bound.quantity);
         result.limit = limit;

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "reports/default_estimate.hpp"
+
 namespace crawford::reports {
 
 nlohmann::ordered_json order_json(const std::vector<JudgedColumn>& columns) {
@@ -28,6 +30,7 @@ nlohmann::ordered_json order_json(const std::vector<JudgedColumn>& columns) {
                               {"verdict", r.verdict},
                               {"passed", r.gated ? Json(r.passed) : Json(nullptr)},
                               {"failure", r.failure},
+                              {"estimate", default_estimate},
                               {"estimates", std::move(all)}});
     }
     return {{"quantities", std::move(quantities)}};

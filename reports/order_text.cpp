@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "reports/default_estimate.hpp"
 #include "reports/order_judgement.hpp"
 
 namespace crawford::reports {
@@ -40,12 +41,13 @@ std::string estimates(const std::vector<Estimate>& all) {
                             "at h -> 0", "uncertainty", "relative", "safety");
     for (const Estimate& e : all) {
         text += fmt::format(
-            "  {:<18} {:>7} {:>16} {:>12} {:>9} {:>7}", e.name, number(e.order, "{:.3f}"),
-            number(e.extrapolated, "{:.9g}"), number(e.uncertainty, "{:.3e}"),
-            number(100.0 * e.relative_uncertainty, "{:.2g} %"), number(e.safety, "{:.3g}"));
+            "{:<2}{:<18} {:>7} {:>16} {:>12} {:>9} {:>7}", e.name == default_estimate ? "*" : "",
+            e.name, number(e.order, "{:.3f}"), number(e.extrapolated, "{:.9g}"),
+            number(e.uncertainty, "{:.3e}"), number(100.0 * e.relative_uncertainty, "{:.2g} %"),
+            number(e.safety, "{:.3g}"));
         text += e.note.empty() ? "\n" : fmt::format("  {}\n", e.note);
     }
-    return text;
+    return text + fmt::format("* {}\n", default_estimate_because);
 }
 
 }  // namespace

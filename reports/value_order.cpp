@@ -7,6 +7,8 @@
 #include <limits>
 #include <span>
 
+#include "reports/default_estimate.hpp"
+
 namespace crawford::reports {
 namespace {
 
@@ -163,7 +165,7 @@ GateResult judge(const Gate& gate, const ValueConvergence& convergence) {
     const auto verdict = defect ? Verdict::diverging : range.verdict(gate.expected.scatter);
     result.verdict = defect ? "none" : name(verdict);
     result.fit = range.fit();
-    if (!defect) result.limit = extrapolate(range.h(), range.values(), gate.expected.order);
+    if (!defect) result.limit = default_limit(range.h(), range.values(), gate.expected.order);
     result.failure = defect ? *defect : short_of(gate.expected, verdict, result.fit);
     result.passed = result.failure.empty();
     return result;

@@ -44,7 +44,7 @@ def order(h: Iterable[float], values: Iterable[float], *, kind: str = "value",
     1e-12 of it is round-off.
 
     A dict as one of the `quantities` of `crawford order --json`: h, values, pairwise_orders, fit,
-    verdict, passed, failure, estimates.
+    verdict, passed, failure, estimate (the name of the one to believe), estimates.
     """
     if kind not in ("value", "error"):
         raise InputError(f'kind = "{kind}" must be "value" or "error"')

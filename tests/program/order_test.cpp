@@ -1,9 +1,12 @@
 /// `crawford order`: anyone's table held against an order, as its user meets it.
+#include <fmt/format.h>
+
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
+#include "reports/default_estimate.hpp"
 #include "tests/program/program.hpp"
 
 namespace crawford {
@@ -109,6 +112,7 @@ TEST_F(Order, PrintsNothingButJson) {
     EXPECT_EQ(phi.at("verdict"), "monotone");
     EXPECT_EQ(phi.at("values"), (std::vector{5.863, 5.972, 6.063}));
     EXPECT_NEAR(phi.at("fit"), 1.53, 0.005);
+    EXPECT_EQ(phi.at("estimate"), reports::default_estimate);
     const auto& estimates = phi.at("estimates");
     ASSERT_EQ(estimates.size(), 4U);
     EXPECT_EQ(estimates.at(0).at("name"), "celik-2008");
@@ -117,6 +121,12 @@ TEST_F(Order, PrintsNothingButJson) {
     EXPECT_EQ(estimates.at(3).at("name"), "eca-hoekstra-2014");
     EXPECT_EQ(estimates.at(3).at("uncertainty"), nullptr);
     EXPECT_THAT(estimates.at(3).at("note"), HasSubstr("needs four grids"));
+}
+
+TEST_F(Order, MarksTheEstimateToBelieve) {
+    const Finished run = crawford({"order", table("cells,phi\n16,1.4\n32,1.1\n64,1.02\n")});
+    EXPECT_THAT(run.output, HasSubstr(fmt::format("\n* {} ", reports::default_estimate)));
+    EXPECT_THAT(run.output, HasSubstr(std::string(reports::default_estimate_because)));
 }
 
 TEST_F(Order, GatesWithinARange) {

@@ -301,7 +301,7 @@ TEST_F(Program, MakesPagesOfWhatWasDrawn) {
     const auto index = text_of(figures / "index.html");
     EXPECT_THAT(index, HasSubstr("href=\"../verify/report.html#entry-slab\""));
     EXPECT_THAT(index, HasSubstr("<h3>material properties</h3>"));
-    EXPECT_THAT(index, HasSubstr("Not drawn: <code>build/crawford run extremes fig02"));
+    EXPECT_THAT(index, HasSubstr("Not drawn: <code>build/crawford run coverage extremes fig02"));
     EXPECT_THAT(index, Not(HasSubstr("#entry-surface\""))) << "that study has not run";
     EXPECT_THAT(text_of(out_ / "verify" / "report.html"),
                 HasSubstr("href=\"../figures/index.html\""));

@@ -84,6 +84,15 @@ TEST(Estimates, OfAPureThirdPowerOnUnevenGrids) {
     }
 }
 
+TEST(Estimates, OfGridsWhoseRatiosAreFarApart) {
+    for (const auto& h : {std::vector{1.0, 0.25, 1.0 / 6.0}, std::vector{1.0, 0.75, 0.1}}) {
+        const auto grids = of_function(h, [](double size) { return 7.0 - 2.0 * size * size; });
+        EXPECT_NEAR(celik_2008(grids).order, 2.0, 1e-9);
+        EXPECT_NEAR(roache(grids, 2.0).order, 2.0, 1e-9);
+        EXPECT_NEAR(xing_stern_2010(grids, 2.0).order, 2.0, 1e-9);
+    }
+}
+
 TEST(XingStern, HasTheSafetyOfThePaper) {
     const auto safety = [](double observed, double formal) {
         const auto grids =

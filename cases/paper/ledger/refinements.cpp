@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cases/units.hpp"
-#include "reports/extrapolate.hpp"
+#include "reports/default_estimate.hpp"
 #include "reports/order.hpp"
 
 namespace crawford::ledger {
@@ -69,7 +69,7 @@ reports::Refinement refinement(const Series& series, const Measure& measure,
                               .size_unit = series.direction == "dt" ? "us" : "um"};
     found.used = sizes[series.used];
     for (const auto& run : runs) found.values.push_back(value(run, measure.what));
-    const auto limit = reports::extrapolate(sizes, found.values, formal_order);
+    const auto limit = reports::default_limit(sizes, found.values, formal_order);
     if (std::isnan(limit.value)) {
         found.verdict = "no change";
         found.index = 0.0;

@@ -1,5 +1,7 @@
 #include "cases/verify/coupled/manufactured_burn.hpp"
 
+#include <fmt/format.h>
+
 #include "cases/units.hpp"
 #include "reference/manufactured_burning.hpp"
 #include "solver/element/element.hpp"
@@ -250,14 +252,19 @@ void compare_cells(reports::Measurement& result, const Simulation& run,
     record(result, "F", gradient);
 }
 
+void run_to_its_end(Simulation& run, const ManufacturedBurning& exact,
+                    const ManufacturedBurn& burn) {
+    run.restore(burn.start == Start::exact ? exact_start(run, exact)
+                                           : settled_start(scene_of(burn), exact));
+    run_steps(run, burn.steps);
+}
+
 }  // namespace
 
 reports::Measurement run_manufactured(const ManufacturedBurn& burn, double h) {
     const ManufacturedBurning exact = truth();
-    const Scene scene = scene_of(burn);
-    Simulation run(scene, sources(exact, 0.0));
-    run.restore(burn.start == Start::exact ? exact_start(run, exact) : settled_start(scene, exact));
-    run_steps(run, burn.steps);
+    Simulation run(scene_of(burn), sources(exact, 0.0));
+    run_to_its_end(run, exact, burn);
 
     reports::Measurement result(h);
     const SurfaceField surface = exact_surface(run.grid(), exact, run.state().time);
@@ -266,6 +273,39 @@ reports::Measurement run_manufactured(const ManufacturedBurn& burn, double h) {
     compare_nodes(result, run, exact, at);
     compare_cells(result, run, exact, at);
     return result;
+}
+
+std::vector<KnownValue> values_of_manufactured(const ManufacturedBurn& burn,
+                                               const std::vector<Place>& places) {
+    const ManufacturedBurning exact = truth();
+    Simulation run(scene_of(burn), sources(exact, 0.0));
+    run_to_its_end(run, exact, burn);
+
+    const State& s = run.state();
+    const SurfaceField surface = exact_surface(run.grid(), exact, s.time);
+    std::vector<KnownValue> values;
+    for (const Place& place : places) {
+        const NodeIndex n = node_at(run.grid(), place);
+        const Vector p = Places(run.grid(), surface).node(n.i, n.j);
+        const auto add = [&](const char* what, const char* unit, double value, double expected) {
+            values.push_back(
+                {fmt::format("{} at {:g}, {:g} [{}]", what, place.across, place.up, unit), value,
+                 expected});
+        };
+        const auto between = [&](const auto& component) {
+            return between_cells(run.grid(), n,
+                                 [&](int i, int j) { return component(s.stress.mean(i, j)); });
+        };
+        const PlaneStress stress = plane(exact.stress(p.x(), p.y(), s.time));
+        add("T", "K", s.temperature(n.i, n.j), exact.temperature(p.x(), p.y(), s.time));
+        add("v", "m/s", s.velocity(n.i, n.j).y(), exact.velocity(p.x(), p.y(), s.time).y());
+        add("xi_y - y", "m", s.reference_shift(n.i, n.j).y(),
+            exact.shift(p.x(), p.y(), s.time).y());
+        add("phi", "m", s.surface[size_t(n.i)], surface[size_t(n.i)]);
+        add("sigma_11", "Pa", between([](const PlaneStress& m) { return m.s11; }), stress.s11);
+        add("sigma_12", "Pa", between([](const PlaneStress& m) { return m.s12; }), stress.s12);
+    }
+    return values;
 }
 
 }  // namespace crawford

@@ -2,6 +2,7 @@
 /// says is missing.
 #pragma once
 
+#include "cases/verify/known_values.hpp"
 #include "reports/study.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -28,5 +29,10 @@ struct ManufacturedBurn {
 /// Steps from the exact state at t = 0 to the end and compares: errors of T, v, stress, pressure,
 /// surface, shift and F against the truth, and samples of the same for successive differences.
 reports::Measurement run_manufactured(const ManufacturedBurn& burn, double h);
+
+/// The same run, and what it gives at single places; where stress and F are asked for, no cell lies
+/// beyond.
+std::vector<KnownValue> values_of_manufactured(const ManufacturedBurn& burn,
+                                               const std::vector<Place>& places);
 
 }  // namespace crawford

@@ -1,5 +1,7 @@
 #include "cases/verify/projection/elastic_inclusion.hpp"
 
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "cases/units.hpp"
@@ -24,6 +26,12 @@ Material of(const reference::Material& moduli) {
     material.bulk_modulus = moduli.bulk_modulus;
     material.shear_modulus = moduli.shear_modulus;
     return material;
+}
+
+ProjectionSources sources_of(const FadedInclusion& truth) {
+    return {.body_force = [&truth](double x, double y, double) {
+        return truth.body_force(x - centre.x(), y - centre.y());
+    }};
 }
 
 }  // namespace
@@ -51,10 +59,7 @@ Scene inclusion_scene(const DiscAndMatrix& pair, int cells) {
 
 void measure_inclusion(const Scene& scene, const FadedInclusion& truth, const std::string& suffix,
                        reports::Measurement& result) {
-    const ProjectionSources sources{.body_force = [&](double x, double y, double) {
-        return truth.body_force(x - centre.x(), y - centre.y());
-    }};
-    Simulation simulation(scene, {{}, {}, sources});
+    Simulation simulation(scene, {{}, {}, sources_of(truth)});
     run_steps(simulation, 1);
     const Grid& grid = simulation.grid();
     const State& state = simulation.state();
@@ -79,6 +84,31 @@ void measure_inclusion(const Scene& scene, const FadedInclusion& truth, const st
                exact.values(nodes).columns({"displacement_x", "displacement_y"}))
         .field("stress" + suffix, stress,
                exact.values(cells).columns({"stress_xx", "stress_yy", "stress_zz", "stress_xy"}));
+}
+
+std::vector<KnownValue> values_of_inclusion(const Scene& scene, const FadedInclusion& truth,
+                                            const std::vector<Place>& places) {
+    Simulation simulation(scene, {{}, {}, sources_of(truth)});
+    run_steps(simulation, 1);
+    const Grid& grid = simulation.grid();
+    const State& state = simulation.state();
+    std::vector<KnownValue> values;
+    for (const Place& place : places) {
+        const NodeIndex n = node_at(grid, place);
+        const double x = grid.x(n.i) - centre.x(), y = grid.eta(n.j) - centre.y();
+        const auto add = [&](const char* what, const char* unit, double value, double exact) {
+            values.push_back(
+                {fmt::format("{} at {:g}, {:g} [{}]", what, place.across, place.up, unit), value,
+                 exact});
+        };
+        const Vector by = state.velocity(n.i, n.j) * scene.time.step;
+        add("u", "m", by.x(), truth.displacement(x, y).x());
+        add("v", "m", by.y(), truth.displacement(x, y).y());
+        add("sigma_22", "Pa",
+            between_cells(grid, n, [&](int i, int j) { return state.stress.mean(i, j).s22; }),
+            truth.stress(x, y).yy);
+    }
+    return values;
 }
 
 }  // namespace crawford

@@ -1,6 +1,7 @@
 /// One step of the projection around a disc, against the exact inclusion.
 #pragma once
 
+#include "cases/verify/known_values.hpp"
 #include "reference/faded_inclusion.hpp"
 #include "reports/measurement.hpp"
 #include "solver/scene/scene.hpp"
@@ -20,5 +21,10 @@ Scene inclusion_scene(const DiscAndMatrix& pair, int cells);
 /// Errors of "displacement" and "stress" after one step from rest, each quantity with `suffix`.
 void measure_inclusion(const Scene& scene, const reference::FadedInclusion& exact,
                        const std::string& suffix, reports::Measurement& result);
+
+/// Displacements and stresses at nodes after the same step.
+std::vector<KnownValue> values_of_inclusion(const Scene& scene,
+                                            const reference::FadedInclusion& exact,
+                                            const std::vector<Place>& places);
 
 }  // namespace crawford

@@ -34,6 +34,11 @@ public:
     void compare_stress(const std::string& suffix, const reference::Truth& exact,
                         reports::Measurement& to, const Where& where = everywhere) const;
 
+    const Grid& grid() const { return grid_; }
+    const SurfaceField& surface() const { return surface_; }           ///< [m]
+    const NodeVectors& displacement() const { return displacement_; }  ///< [m]
+    const StressField& stress() const { return stress_; }              ///< [Pa]
+
     /// |div sigma + b| of the stress carried, relative to what should cancel.
     double residual() const { return residual_; }
 
