@@ -2,8 +2,8 @@
 # Tables curve_1 ... curve_<curves>: x, then mean and half-width of each quantity, with title_1 ...
 # Points of one place are set `apart` a little, so that their bars can be told apart.
 
-set key outside below left vertical maxrows 6
-set bmargin at screen 0.3
+set key at screen 0.1, screen 0.2 left top vertical maxrows 4
+set bmargin at screen 0.34
 set tmargin 3
 set offsets 0, 0, graph 0.05, graph 0.05
 set xlabel x_label
@@ -13,26 +13,26 @@ title_of(i) = value(sprintf('title_%d', i))
 means = "plot for [i = 1:curves] curve(i) using ($1 + apart * (i - 0.5 * (curves + 1))):mean:half \
 with yerrorlines lt i title title_of(i) noenhanced"
 
-@panel_V
+@panel__V
 eval heading('', 'regression rate V, mean over packs')
 set ylabel 'V / (cm/s)'
 mean = 2; half = 3
 @means
 
-@panel_rate
+@panel__rate
 eval heading('', 'mean burn rate along the surface, mean over packs')
 set ylabel 'mean burn rate / (cm/s)'
 mean = 4; half = 5
 @means
 
-@panel_T
+@panel__T
 eval heading('', 'largest temperature, mean over packs')
 set ylabel 'T / K'
 mean = 6; half = 7
 @means
 
 if (has_strain) {
-  @panel_strain
+  @panel__strain
   eval heading('', 'largest strain within 5 µm of its maximum, mean over packs')
   set ylabel 'strain'
   mean = 8; half = 9

@@ -107,8 +107,9 @@ Html pictures(const EnsemblePage& page) {
     Html html;
     for (const std::string& file : page.pictures)
         html += element("figure", {},
-                        element("img", {{"src", file}, {"alt", "means against conditions"}}));
-    return html.empty() ? html : styled("div", "pictures", html);
+                        element("img", {{"src", file}, {"alt", "means against conditions"}}) +
+                            element("figcaption", {}, link_to(file, file)));
+    return html.empty() ? html : styled("div", "pictures several", html);
 }
 
 Html origin(const EnsemblePage& page) {
