@@ -66,6 +66,8 @@ void fill(FoundRun& run, const Json& manifest) {
     run.seeds = manifest.value("seeds", std::vector<std::uint64_t>());
     run.time = manifest.value("time_seconds", 0.0);
     if (manifest.contains("results")) run.results = results_in(manifest.at("results"));
+    for (const Json& remark : manifest.value("remarks", Json::array()))
+        run.remarks[remark.at("name")] = remark.at("text");
     const auto outcome = manifest.at("outcome").get<std::string>();
     if (outcome.starts_with(failed)) run.reason = outcome.substr(failed.size());
     run.state = state_of(run, outcome);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct FoundRun {
     std::vector<std::uint64_t> seeds;
     double time = 0.0;  ///< reached [s]
     std::optional<RunResults> results;
+    std::map<std::string, std::string> remarks;  ///< name -> text
 };
 
 /// In the order of their folders' names.

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <set>
 
 #include "base/atomic_file.hpp"
@@ -88,6 +89,21 @@ std::vector<std::string> solvers_of(const std::vector<FoundRun>& runs) {
     return {found.begin(), found.end()};
 }
 
+/// Each kind once, with how many have it and what is said of one.
+std::vector<std::string> remarks_of(const std::vector<FoundRun>& runs) {
+    std::map<std::string, std::pair<long, std::string>> kinds;
+    for (const FoundRun& run : runs)
+        for (const auto& [name, text] : run.remarks) {
+            auto& [count, example] = kinds[name];
+            ++count;
+            if (example.empty()) example = text;
+        }
+    std::vector<std::string> remarks;
+    for (const auto& [name, kind] : kinds)
+        remarks.push_back(fmt::format("{}, of {} burns: {}", name, kind.first, kind.second));
+    return remarks;
+}
+
 void tell(const reports::Ensemble& ensemble, const fs::path& out) {
     for (const auto& point : ensemble.points) {
         const auto& c = point.conditions;
@@ -131,7 +147,8 @@ int gather(const GatherOptions& options, const CommandLine& command) {
                                              .tables = {"points.csv", "burns.csv", "ensemble.json"},
                                              .command = typed(command),
                                              .revision = revision(),
-                                             .solvers = solvers_of(runs)}));
+                                             .solvers = solvers_of(runs),
+                                             .remarks = remarks_of(runs)}));
     tell(ensemble, out);
     return exit_code::done;
 }

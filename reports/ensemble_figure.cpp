@@ -135,11 +135,12 @@ std::vector<fs::path> draw_along(const Axis& axis, const Ensemble& ensemble, con
                   .revision = revision,
                   .note = fmt::format("bars: {:g} % confidence interval of the mean",
                                       100.0 * ensemble.demand.confidence)});
+    constexpr PanelSize size{.width = 640, .height = 490};  // the legend stands below
     constexpr std::array panels{"_V", "_rate", "_T", "_strain"};
     static_assert(panels.size() == ensemble_quantities.size());
     for (std::size_t q = 0; q < panels.size(); ++q) {
         figure.set(fmt::format("has{}", panels[q]), is_there(ensemble, q) ? 1.0 : 0.0);
-        if (is_there(ensemble, q)) figure.panel(panels[q]);
+        if (is_there(ensemble, q)) figure.panel(panels[q], Format::svg, size);
     }
     return figure.draw();
 }

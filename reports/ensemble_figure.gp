@@ -2,8 +2,8 @@
 # Tables curve_1 ... curve_<curves>: x, then mean and half-width of each quantity, with title_1 ...
 # Points of one place are set `apart` a little, so that their bars can be told apart.
 
-set key at screen 0.1, screen 0.2 left top vertical maxrows 4
-set bmargin at screen 0.34
+set key at screen 0.1, screen 0.26 left top vertical maxrows 4
+set bmargin at screen 0.39
 set tmargin 3
 set offsets 0, 0, graph 0.05, graph 0.05
 set xlabel x_label

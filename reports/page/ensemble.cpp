@@ -24,7 +24,7 @@ std::vector<Html> conditions_cells(const Conditions& c) {
     return {number(c.area_fraction, 4),
             number(1e-6 * c.pressure, 4),
             c.readings,
-            fmt::format("{} × {}", c.columns, c.rows),
+            fmt::format("{}\u00a0×\u00a0{}", c.columns, c.rows),
             number(1e3 * c.end, 4),
             number(1e3 * c.after, 4)};
 }
@@ -103,6 +103,13 @@ Html summary(const Ensemble& ensemble, const EnsemblePage& page) {
     return html;
 }
 
+Html remarks(const EnsemblePage& page) {
+    Html items;
+    for (const std::string& remark : page.remarks) items += element("li", {}, remark);
+    if (items.empty()) return {};
+    return element("h2", {}, "What the solver remarks of them") + element("ul", {}, items);
+}
+
 Html pictures(const EnsemblePage& page) {
     Html html;
     for (const std::string& file : page.pictures)
@@ -127,7 +134,7 @@ std::string ensemble_page(const Ensemble& ensemble, const EnsemblePage& page) {
     body += element("h2", {}, "Means, spreads, and packs needed");
     for (std::size_t q = 0; q < ensemble_quantities.size(); ++q)
         body += quantity_section(ensemble, q);
-    body += lost_section(ensemble) + origin(page);
+    body += lost_section(ensemble) + remarks(page) + origin(page);
     return document(page.title, body);
 }
 

@@ -15,6 +15,7 @@ struct EnsemblePage {
     std::string command;                ///< that made it
     std::string revision;               ///< of the program that gathered
     std::vector<std::string> solvers;   ///< fingerprints of those that burnt: one, as a rule
+    std::vector<std::string> remarks;   ///< of the solver on what it burnt, each kind once
 };
 
 /// What was burnt, the means with their intervals, how many packs it takes, and what failed.
