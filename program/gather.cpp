@@ -135,10 +135,7 @@ int gather(const GatherOptions& options, const CommandLine& command) {
     prepare_directory(out);
     write_file(out / "points.csv", reports::points_csv(ensemble));
     write_file(out / "burns.csv", reports::burns_csv(ensemble));
-    write_file(out / "ensemble.json",
-               reports::ensemble_json(ensemble).dump(
-                   2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                   '\n');
+    write_file(out / "ensemble.json", reports::ensemble_json(ensemble));
     const auto pictures = reports::draw_ensemble(ensemble, out, revision());
     write_file(out / "ensemble.html",
                reports::page::ensemble_page(ensemble,

@@ -1,6 +1,7 @@
 #include "reports/ensemble_json.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace crawford::reports {
 
@@ -51,14 +52,15 @@ Json json_of(const EnsembleBurn& burn) {
 
 }  // namespace
 
-Json ensemble_json(const Ensemble& ensemble) {
+std::string ensemble_json(const Ensemble& ensemble) {
     Json json = {{"confidence", ensemble.demand.confidence},
                  {"interval", ensemble.demand.interval},
                  {"points", Json::array()},
                  {"burns", Json::array()}};
     for (const EnsemblePoint& point : ensemble.points) json["points"].push_back(json_of(point));
     for (const EnsembleBurn& burn : ensemble.burns) json["burns"].push_back(json_of(burn));
-    return json;
+    // Reasons may name files, and those need not be UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace crawford::reports

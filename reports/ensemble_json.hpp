@@ -1,13 +1,13 @@
 /// An ensemble for programs.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <string>
 
 #include "reports/ensemble.hpp"
 
 namespace crawford::reports {
 
-/// Points and burns, values with their units; null where there is none.
-nlohmann::ordered_json ensemble_json(const Ensemble& ensemble);
+/// JSON text of points and burns, values with their units; null where there is none.
+std::string ensemble_json(const Ensemble& ensemble);
 
 }  // namespace crawford::reports

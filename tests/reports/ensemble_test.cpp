@@ -117,7 +117,7 @@ TEST(Ensemble, DoesNotDependOnTheOrderItIsFoundIn) {
     const Ensemble other = gather({burns.rbegin(), burns.rend()}, {});
     EXPECT_EQ(points_csv(one), points_csv(other));
     EXPECT_EQ(burns_csv(one), burns_csv(other));
-    EXPECT_EQ(ensemble_json(one).dump(), ensemble_json(other).dump());
+    EXPECT_EQ(ensemble_json(one), ensemble_json(other));
 }
 
 TEST(Ensemble, TellsWhatFailedAndWhy) {
@@ -126,13 +126,7 @@ TEST(Ensemble, TellsWhatFailedAndWhy) {
     EXPECT_THAT(csv, HasSubstr("V [cm/s],mean burn rate [cm/s],max T [K],strain within 5 um [-]"));
     EXPECT_THAT(csv, HasSubstr("4,nan,nan,nan,nan,failed,"
                                "\"step 3: heat: T = -1 K, limit 0; \"\"reduce\"\" time.step\",d"));
-    EXPECT_TRUE(ensemble_json(found)
-                    .at("points")
-                    .at(0)
-                    .at("quantities")
-                    .at(0)
-                    .at("packs_needed")
-                    .is_null());
+    EXPECT_THAT(ensemble_json(found), HasSubstr("\"packs_needed\": null"));
     const std::string page = page::ensemble_page(found, {.title = "Packs <1>",
                                                          .pictures = {},
                                                          .tables = {"points.csv"},
