@@ -104,17 +104,25 @@ std::vector<std::string> remarks_of(const std::vector<FoundRun>& runs) {
     return remarks;
 }
 
+/// "0.41 +- 0.02 cm/s (95 %), standard deviation 0.01, 4 of 4 packs done; for 1 %: 33 packs"
+std::string in_words(const reports::EnsemblePoint& point, const reports::EnsembleDemand& demand) {
+    const reports::Spread& v = point.spreads.front();
+    const std::string done = fmt::format("{} of {} packs done", v.count, point.burns);
+    if (v.count == 0) return done;
+    if (v.count == 1) return fmt::format("{:.5g} cm/s, {}: too few for an interval", v.mean, done);
+    return fmt::format(
+        "{:.5g} +- {:.2g} cm/s ({:g} %), standard deviation {:.2g}, {}; for {:g} %: {}", v.mean,
+        v.half_width, 100.0 * demand.confidence, v.standard_deviation, done,
+        100.0 * demand.interval,
+        point.needed.front() ? fmt::format("{} packs", *point.needed.front()) : "not known");
+}
+
 void tell(const reports::Ensemble& ensemble, const fs::path& out) {
     for (const auto& point : ensemble.points) {
         const auto& c = point.conditions;
-        const auto& v = point.spreads.front();
-        std::cout << fmt::format(
-            "area fraction {:.4g}, {:g} MPa, {}, {} x {}: V = {:.5g} +- {:.2g} cm/s ({:g} %), "
-            "standard deviation {:.2g}, {} of {} packs done; for {:g} %: {}\n",
-            c.area_fraction, 1e-6 * c.pressure, c.readings, c.columns, c.rows, v.mean, v.half_width,
-            100.0 * ensemble.demand.confidence, v.standard_deviation, v.count, point.burns,
-            100.0 * ensemble.demand.interval,
-            point.needed.front() ? fmt::format("{} packs", *point.needed.front()) : "not known");
+        std::cout << fmt::format("area fraction {:.4g}, {:g} MPa, {}, {} x {}: V = {}\n",
+                                 c.area_fraction, 1e-6 * c.pressure, c.readings, c.columns, c.rows,
+                                 in_words(point, ensemble.demand));
     }
     std::cout << fmt::format("{} and points.csv, burns.csv, ensemble.json beside it\n",
                              (out / "ensemble.html").string());

@@ -169,6 +169,8 @@ TEST_F(ProgramEnsemble, GathersPacksToAPointAndKeepsWhatFailed) {
 
 TEST_F(ProgramEnsemble, CountsRatesOverTheTimeThatWasAskedFor) {
     EXPECT_EQ(crawford(burn("one")).status, 0);
+    EXPECT_THAT(crawford({"gather", out(), "--out", (out_ / "table").string()}).output,
+                HasSubstr("1 of 1 packs done: too few for an interval"));
     const auto v = [&](const std::string& after) {
         const std::string table = (out_ / "table").string();
         EXPECT_EQ(crawford({"gather", out(), "--out", table, "--after", after}).status, 0);
