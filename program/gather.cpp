@@ -107,7 +107,7 @@ std::vector<std::string> remarks_of(const std::vector<FoundRun>& runs) {
 /// "0.41 +- 0.02 cm/s (95 %), standard deviation 0.01, 4 of 4 packs done; for 1 %: 33 packs"
 std::string in_words(const reports::EnsemblePoint& point, const reports::EnsembleDemand& demand) {
     const reports::Spread& v = point.spreads.front();
-    const std::string done = fmt::format("{} of {} packs done", v.count, point.burns);
+    std::string done = fmt::format("{} of {} packs done", v.count, point.burns);
     if (v.count == 0) return done;
     if (v.count == 1) return fmt::format("{:.5g} cm/s, {}: too few for an interval", v.mean, done);
     return fmt::format(
