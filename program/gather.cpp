@@ -108,7 +108,7 @@ std::vector<std::string> remarks_of(const std::vector<FoundRun>& runs) {
 std::string in_words(const reports::EnsemblePoint& point, const reports::EnsembleDemand& demand) {
     const reports::Spread& v = point.spreads.front();
     std::string done = fmt::format("{} of {} packs done", v.count, point.burns);
-    if (v.count == 0) return done;
+    if (v.count == 0) return "not known, " + done;
     if (v.count == 1) return fmt::format("{:.5g} cm/s, {}: too few for an interval", v.mean, done);
     return fmt::format(
         "{:.5g} +- {:.2g} cm/s ({:g} %), standard deviation {:.2g}, {}; for {:g} %: {}", v.mean,

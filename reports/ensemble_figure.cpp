@@ -133,8 +133,9 @@ std::vector<fs::path> draw_along(const Axis& axis, const Ensemble& ensemble, con
         .set("apart", 0.12 * room)
         .caption({.grid = grid_of(ensemble),
                   .revision = revision,
-                  .note = fmt::format("bars: {:g} % confidence interval of the mean",
-                                      100.0 * ensemble.demand.confidence)});
+                  .note = fmt::format(
+                      "bars: {:g} % confidence interval of the mean, curves set apart sideways",
+                      100.0 * ensemble.demand.confidence)});
     constexpr PanelSize size{.width = 640, .height = 490};  // the legend stands below
     constexpr std::array panels{"_V", "_rate", "_T", "_strain"};
     static_assert(panels.size() == ensemble_quantities.size());
