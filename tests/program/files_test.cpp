@@ -183,5 +183,20 @@ TEST_F(ProgramFiles, GoesOnWithValuesEqualToRounding) {
     EXPECT_EQ(crawford(command).status, 0) << "--quiet before the command";
 }
 
+/// The digest is looked at before HDF5 sees a byte; a directory is no file at all.
+TEST_F(ProgramFiles, RefusesACheckpointThatIsNotAsItWasWritten) {
+    EXPECT_EQ(crawford(short_burn(out())).status, 0);
+    const fs::path checkpoint = out_ / "slab_checkpoint_000003.h5";
+    std::fstream(checkpoint, std::ios::in | std::ios::out | std::ios::binary).seekp(1000) << "??";
+    const std::vector<std::string> on{"--set", "time.end=100 us", "--restart"};
+    const auto from = [&](const fs::path& file) {
+        auto more = on;
+        more.push_back(file.string());
+        return short_burn(out(), more);
+    };
+    expect_refused(from(checkpoint), "slab_checkpoint_000003.h5 is damaged");
+    expect_refused(from(out_), "cannot read");
+}
+
 }  // namespace
 }  // namespace crawford
