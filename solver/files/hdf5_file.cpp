@@ -138,6 +138,8 @@ void Hdf5File::write(const std::string& path, std::span<const Number> numbers, c
     const Hdf5Handle space =
         checked(H5Screate_simple(int(shape.size()), shape.data(), nullptr), H5Sclose, path);
     const Hdf5Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path);
+    // Files of the same numbers are the same, byte by byte, whenever they were written.
+    check(H5Pset_obj_track_times(properties.id(), false) >= 0, path);
     if (numbers.size() > 1) compress(properties.id(), shape);
     Hdf5Handle dataset = checked(H5Dcreate2(file_.id(), path.c_str(), native_type<Number>(),
                                             space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),

@@ -107,12 +107,16 @@ TEST_F(ProgramFiles, SaysWhenItsAnswerCannotBeWritten) {
 TEST_F(ProgramFiles, ClearsAwayItsOwnOlderResults) {
     EXPECT_EQ(crawford(short_burn(out(), {"--set", "time.end=100 us"})).status, 0);
     std::ofstream(out_ / "notes.txt") << "mine";
+    std::ofstream(out_ / "notes.part") << "mine";
+    std::ofstream(out_ / ".slab_checkpoint_000004.h5.0123.part") << "half, and killed";
     const Finished again = crawford(short_burn(out()));
     EXPECT_EQ(again.status, 0) << again.output;
     EXPECT_FALSE(fs::exists(out_ / "slab_000005.hdf"));
     EXPECT_FALSE(fs::exists(out_ / "slab_checkpoint_000005.h5"));
     EXPECT_TRUE(fs::exists(out_ / "slab_checkpoint_000003.h5"));
     EXPECT_TRUE(fs::exists(out_ / "notes.txt"));
+    EXPECT_TRUE(fs::exists(out_ / "notes.part"));
+    EXPECT_FALSE(fs::exists(out_ / ".slab_checkpoint_000004.h5.0123.part"));
     EXPECT_FALSE(fs::exists(out_ / ".owner"));
 }
 
