@@ -16,10 +16,16 @@ import tempfile
 import time
 from pathlib import Path
 
+import disks
 import kills
+import people
 import table
 
-CAMPAIGNS = {"kill": kills.rows}
+CAMPAIGNS = {
+    "kill": kills.rows, "disk": disks.full_disks, "place": disks.no_place, "memory": disks.little_memory,
+    "clock": disks.clock_set_back, "comma": disks.comma_locale, "signals": people.signals,
+    "checkpoints": people.damaged_checkpoints, "two": people.two_in_one_folder, "names": people.names,
+    "make": people.make_from_such_a_place}
 
 
 def main():

@@ -202,5 +202,39 @@ TEST_F(ProgramFiles, RefusesACheckpointThatIsNotAsItWasWritten) {
     expect_refused(from(out_), "cannot read");
 }
 
+/// What the program prints on stdout alone.
+nlohmann::json line_of(const std::vector<std::string>& arguments, int status) {
+    std::vector<std::string> command{"sh", "-c", "exec \"$@\" 2>/dev/null", "sh", program_path()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Finished run = run_program(command);
+    EXPECT_EQ(run.status, status) << run.output;
+    EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
+    return nlohmann::json::parse(run.output);
+}
+
+TEST_F(ProgramFiles, EndWithOneLineForPrograms) {
+    const auto done = line_of(short_burn(out(), {"--json"}), 0);
+    EXPECT_EQ(done.at("outcome"), "done");
+    EXPECT_EQ(done.at("exit_code"), 0);
+    EXPECT_EQ(done.at("out"), out());
+    const auto manifest = nlohmann::json::parse(std::ifstream(out_ / "manifest.json"));
+    EXPECT_EQ(done.at("results"), manifest.at("results"));
+    const auto refused = line_of(short_burn(out(), {"--json", "--set", "domain.nx=many"}), 2);
+    EXPECT_EQ(refused.at("outcome"), "refused");
+    EXPECT_THAT(refused.at("failure").at("message").get<std::string>(), HasSubstr("domain.nx"));
+}
+
+TEST_F(ProgramFiles, AreTheSameFromAnyNumberOfThreads) {
+    const std::vector<std::string> study{"verify", "stress-work", "--quiet", "--out"};
+    auto alone = study, beside = study;
+    alone.insert(alone.end(), {out() + "/1", "--threads", "1"});
+    beside.insert(beside.end(), {out() + "/3", "--threads", "3", "--exact", "--against",
+                                 out() + "/1/verify.json"});
+    EXPECT_EQ(crawford(alone).status, 0);
+    const Finished compared = crawford(beside);
+    EXPECT_EQ(compared.status, 0) << compared.output;
+    EXPECT_THAT(compared.output, HasSubstr("all the same"));
+}
+
 }  // namespace
 }  // namespace crawford
