@@ -34,4 +34,14 @@ Failure failure_of(const std::exception_ptr& problem) {
     }
 }
 
+bool is_out_of_memory(const std::exception_ptr& problem) {
+    try {
+        std::rethrow_exception(problem);
+    } catch (const std::bad_alloc&) {
+        return true;
+    } catch (...) {
+        return false;
+    }
+}
+
 }  // namespace crawford

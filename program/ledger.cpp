@@ -136,7 +136,8 @@ reports::Ledger settle(const LedgerOptions& options, const CommandLine& command)
     manifest["fidelity"] = options.fidelity;
     manifest["source_fingerprint"] = source_fingerprint();
     manifest["wall_seconds"] = std::chrono::duration<double>(Clock::now() - started).count();
-    settled.manifest = manifest.dump();
+    settled.manifest =
+        manifest.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     return settled;
 }
 

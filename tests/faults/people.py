@@ -167,7 +167,7 @@ def commands_in(here):
     pack = Path(os.fsdecode(here)) / "a pack.toml"
     shutil.copy(work.TREE / "cases/scenes/random_pack.toml", pack)
     yield "pack", ["pack", os.fsencode(pack), "--out", here + b"/pack.csv"], {0}
-    yield "truth", ["truth", "slab", points, "--out", here + b"/truth.csv"], {0}
+    yield "truth", ["truth", "slab", "--points", points, "--out", here + b"/truth.csv"], {0}
     yield "judge", ["judge", "slab", b"32=" + here + b"/truth.csv", "--out", here + b"/judge"], {0, 1}
     yield "list", ["list"], {0}
 
