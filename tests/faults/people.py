@@ -50,8 +50,7 @@ def interrupted(what, folder, unbroken, ended, codes):
     if what.name == "burn" and printed:
         if json.loads((folder / "manifest.json").read_text())["outcome"] != "interrupted":
             return "the manifest does not say that it was interrupted"
-        # Its last state has a checkpoint, snapshot and entry of their own, which the unbroken run has not.
-        before = {f.name for f in folder.iterdir()}
+        # Its last state has a checkpoint and a snapshot of their own, which the unbroken run has not.
     again = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
     if again.returncode != 0:
         return f"{command} does not go on: {again.stderr}"
@@ -138,6 +137,8 @@ def names(place, random, short):
             ended = subprocess.run([os.fsencode(work.PROGRAM), *(os.fsencode(str(a)) if not isinstance(a, bytes) else a
                                                                 for a in command)],
                                    capture_output=True, stdin=subprocess.DEVNULL)
+            if label == "truth":
+                Path(os.fsdecode(here + b"/truth.csv")).write_bytes(ended.stdout)
             told = ended.stderr.decode(errors="replace").strip()
             wrong = f"exit {ended.returncode}: {told[-300:]}" if ended.returncode not in codes or \
                 "internal error" in told else ""
@@ -155,7 +156,7 @@ def commands_in(here):
     table = here + b"/table.csv"
     Path(os.fsdecode(table)).write_text("h,error\n0.1,0.01\n0.05,0.0025\n0.025,0.000625\n")
     points = here + b"/points.csv"
-    Path(os.fsdecode(points)).write_text("y [m]\n-1e-5\n-2e-5\n")
+    Path(os.fsdecode(points)).write_text("x [m],y [m]\n0,-1e-5\n0,-2e-5\n")
     short = work.Burn(steps=15).arguments(here + b"/burn")
     short[1] = scene
     yield "burn", short, {0}
@@ -167,7 +168,7 @@ def commands_in(here):
     pack = Path(os.fsdecode(here)) / "a pack.toml"
     shutil.copy(work.TREE / "cases/scenes/random_pack.toml", pack)
     yield "pack", ["pack", os.fsencode(pack), "--out", here + b"/pack.csv"], {0}
-    yield "truth", ["truth", "slab", "--points", points, "--out", here + b"/truth.csv"], {0}
+    yield "truth", ["truth", "slab", "--points", points], {0}
     yield "judge", ["judge", "slab", b"32=" + here + b"/truth.csv", "--out", here + b"/judge"], {0, 1}
     yield "list", ["list"], {0}
 

@@ -73,7 +73,8 @@ class Burn:
 
     def difference(self, out, unbroken):
         """Names what is not as in an unbroken run; empty if nothing."""
-        ours, theirs = ({f.name: f.read_bytes() for f in Path(d).iterdir() if f.suffix != ".json"}
+        ours, theirs = ({f.name: f.read_bytes() for f in Path(d).iterdir()
+                         if f.suffix != ".json" and ".owner" not in f.name}
                         for d in (out, unbroken))
         for name in sorted(ours.keys() | theirs.keys()):
             if ours.get(name) != theirs.get(name):
