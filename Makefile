@@ -49,13 +49,14 @@ define tidy_database
 	  > build/tidy/compile_commands.json
 endef
 
-.PHONY: help deps tools python test-python program build test verify mutants figures ledger extremes ensemble ensemble-test ensemble-slurm bench format check-format tidy tidy-changed clean
+.PHONY: faults faults-short help deps tools python test-python program build test verify mutants figures ledger extremes ensemble ensemble-test ensemble-slurm bench format check-format tidy tidy-changed clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
 	@echo '              with a report to read: $(OUT)/verify/report.html'
 	@echo 'make test     build, then run the tests of the parts (JUnit XML: build/junit.xml)'
 	@echo 'make mutants  put seeded faults into a copy, one by one, and ask who sees them (hours; FAULTS=names)'
+	@echo 'make faults   kill it, fill the disk, damage its files ...: a table of what was lost (make faults-short: a few tries)'
 	@echo 'make program  build/crawford; make build: the tests as well'
 	@echo 'make figures  the figures of the paper and the ledger of its claims, with their pages: read'
 	@echo '              $(OUT)/figures/index.html (FIDELITY=draft|paper|fine, now $(FIDELITY)). What was cut off goes on'
@@ -105,6 +106,12 @@ mutants: deps
 	@cmake --preset release >/dev/null
 	@cmake --build --preset release --target mutants --parallel $(JOBS)
 	@build/tests/mutants/mutants $(FAULTS)
+
+faults: program
+	@nice python3 -B tests/faults/faults.py
+
+faults-short: program
+	@nice python3 -B tests/faults/faults.py --short --only kill --only disk --only checkpoints --only comma --only place
 
 figures: program
 	@build/crawford run --all --fidelity $(FIDELITY) --out $(OUT)

@@ -21,11 +21,10 @@ double seconds_since(Clock::time_point start) {
 
 class Queue {
 public:
-    Queue(std::vector<Job> jobs, const QueueObserver& observer)
+    Queue(std::vector<Job> jobs, const QueueObserver& observer, unsigned threads)
         : jobs_(std::move(jobs)), observer_(observer), done_(jobs_.size(), 0.0) {
         std::ranges::stable_sort(jobs_, std::greater{}, &Job::expected_seconds);
-        threads_ = unsigned(
-            std::min<size_t>(std::max(1U, std::thread::hardware_concurrency()), jobs_.size()));
+        threads_ = unsigned(std::min<size_t>(std::max(1U, threads), jobs_.size()));
     }
 
     void run() {
@@ -90,8 +89,9 @@ private:
 
 }  // namespace
 
-void run_jobs(std::vector<Job> jobs, const QueueObserver& observer) {
-    Queue(std::move(jobs), observer).run();
+void run_jobs(std::vector<Job> jobs, const QueueObserver& observer,
+              std::optional<unsigned> threads) {
+    Queue(std::move(jobs), observer, threads.value_or(std::thread::hardware_concurrency())).run();
 }
 
 double time_to_go(const std::vector<double>& remaining, double done, double elapsed,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,9 @@ struct QueueObserver {
 };
 
 /// Runs all jobs, the longest first so that it does not wait for the short ones, as many at a time
-/// as the machine has cores. A job that throws stops no other.
-void run_jobs(std::vector<Job> jobs, const QueueObserver& observer = {});
+/// as `threads` says, or else as this process may use cores. A job that throws stops no other.
+void run_jobs(std::vector<Job> jobs, const QueueObserver& observer = {},
+              std::optional<unsigned> threads = {});
 
 /// Time to go [s] for what remains of some jobs, in seconds that were expected of them, when `done`
 /// of such seconds have taken `elapsed` on `threads` threads: the work that is left, shared out,

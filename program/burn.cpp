@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
@@ -14,6 +16,7 @@
 #include "base/terminal.hpp"
 #include "program/accuracy.hpp"
 #include "program/burn_folder.hpp"
+#include "program/burn_json.hpp"
 #include "program/check.hpp"
 #include "program/commands.hpp"
 #include "program/interrupt.hpp"
@@ -34,8 +37,8 @@ void add_to_manifest(const std::filesystem::path& file, const nlohmann::ordered_
     write_file(file, manifest.dump(2) + '\n');
 }
 
-void tell(const BurnOutcome& outcome, const BurnOptions& files) {
-    std::cout << fmt::format(
+void tell(const BurnOutcome& outcome, const BurnOptions& files, std::ostream& words) {
+    words << fmt::format(
         "{} at {:.6g} s, step {}: mean burn rate {:.5g} cm/s, regression rate {:.5g} cm/s,\n"
         "largest temperature {:.5g} K, largest strain {:.4g}\n"
         "{} steps and their output took {:.1f} s; snapshots, history, checkpoints and "
@@ -47,7 +50,7 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
         outcome.summary.regression_rate * 100.0, outcome.summary.largest_temperature,
         outcome.summary.largest_strain, outcome.step, outcome.seconds, files.directory.string());
     if (outcome.chosen)
-        std::cout << fmt::format(
+        words << fmt::format(
             "steps of {:.3g} to {:.3g} us; tried again, shorter: {} for their error or a row "
             "crossed, "
             "{} that failed\n",
@@ -57,10 +60,10 @@ void tell(const BurnOutcome& outcome, const BurnOptions& files) {
 
 /// Looks whether a preset has kept its promise, says so and leaves it in the manifest.
 void tell_accuracy(const Scene& scene, const Preset& preset, const BurnOutcome& outcome,
-                   const BurnOptions& files) {
+                   const BurnOptions& files, std::ostream& words) {
     const AccuracyFound found =
         check_accuracy(scene, preset, outcome, files.directory / (files.name + "_history.csv"));
-    std::cout << fmt::format(
+    words << fmt::format(
         "V over the second half {:.5g} cm/s, on half the grid {:.5g} cm/s: some {:.2g} % off, {:g} "
         "% "
         "promised by\npreset {}; took {:.1f} s and {:.0f} MB, and {:.1f} s to check\n",
@@ -116,27 +119,37 @@ Reduction reduction_of(const Scene& scene, const BurnSceneOptions& options) {
     return options.as_written || goes_on ? as_written(scene) : reduced(scene);
 }
 
-}  // namespace
+struct WantedScene {
+    Scene scene;
+    std::optional<Preset> preset;
+};
 
-int burn(const BurnSceneOptions& asked, const CommandLine& command) {
-    BurnSceneOptions options = asked;
+WantedScene wanted_scene(const BurnSceneOptions& options) {
     const auto preset = wanted_preset(options);
     std::vector<std::string> chosen;
-    const Scene scene = preset ? scene_at(options, *preset, options.quiet ? nullptr : &chosen)
-                               : typed_scene(options.scene, options.set);
+    Scene scene = preset ? scene_at(options, *preset, options.quiet ? nullptr : &chosen)
+                         : typed_scene(options.scene, options.set);
     for (const std::string& line : chosen) std::cerr << "crawford: " << line << '\n';
-    if (options.check) return check(scene, options.json);
+    return {std::move(scene), preset};
+}
+
+/// Fills `end` as far as it comes.
+int burn_and_tell(const BurnSceneOptions& asked, const CommandLine& command, BurnEnd& end) {
+    BurnSceneOptions options = asked;
+    std::ostream& words = options.json ? std::cerr : std::cout;
+    const auto [scene, preset] = wanted_scene(options);
     const std::string name = name_of_scene(options.scene);
     refuse_other_encodings(name);
     const std::filesystem::path folder =
         options.out.empty() ? std::filesystem::path("out") / name : options.out;
+    end.out = folder;
     BurnFolder owned(folder);
     if (options.resume) {
         remove_halves(folder);
         const LeftOff earlier =
             left_off(folder, name, scene, {to_toml(scene), to_toml(reduced(scene).scene)});
         if (earlier.is_done) {
-            std::cout << fmt::format("done before, by the same solver, in {}\n", folder.string());
+            words << fmt::format("done before, by the same solver, in {}\n", folder.string());
             return exit_code::done;
         }
         options.restart = earlier.checkpoint;
@@ -158,21 +171,42 @@ int burn(const BurnSceneOptions& asked, const CommandLine& command) {
                               if (!options.quiet) watch(at);
                           },
                       .remark =
-                          [](const Guard& guard) {
+                          [&](const Guard& guard) {
+                              end.remarks.push_back(guard);
                               std::cerr << "crawford: remark: " << in_words(guard) << '\n';
                           },
                       .interrupted = [&] { return interrupt.signal() != 0; }};
     if (!reduction.left_out.empty() && !options.quiet)
         std::cerr << "crawford: left out: " << reduction.left_out << "; --as-written burns all\n";
     const BurnOutcome outcome = burn(reduction, files);
-    if (options.timing) std::cout << timing_table(outcome.timing, outcome.seconds, outcome.steps);
-    tell(outcome, files);
+    end.checkpoint = outcome.checkpoint;
+    if (options.timing) words << timing_table(outcome.timing, outcome.seconds, outcome.steps);
+    tell(outcome, files, words);
     if (!outcome.interrupted) {
-        if (preset) tell_accuracy(scene, *preset, outcome, files);
+        if (preset) tell_accuracy(scene, *preset, outcome, files, words);
         return exit_code::done;
     }
-    std::cout << "go on with: " << command_that_goes_on(command, outcome) << std::endl;
+    end.goes_on_with = command_that_goes_on(command, outcome);
+    words << "go on with: " << end.goes_on_with << std::endl;
     return exit_code_of(interrupt.signal());
+}
+
+}  // namespace
+
+int burn(const BurnSceneOptions& options, const CommandLine& command) {
+    BurnEnd end;
+    if (options.check) return check(wanted_scene(options).scene, options.json);
+    if (!options.json) return burn_and_tell(options, command, end);
+    const auto started = std::chrono::steady_clock::now();
+    try {
+        end.exit_code = burn_and_tell(options, command, end);
+    } catch (...) {
+        end.failure = std::current_exception();
+    }
+    end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    std::cout << json_line(end) << '\n';
+    if (end.failure) std::rethrow_exception(end.failure);
+    return end.exit_code;
 }
 
 }  // namespace crawford

@@ -116,6 +116,16 @@ bool is_of_name(const std::string& file, const std::string& name) {
 
 }  // namespace
 
+/// What an owner that was killed has left half-written. Who asks for the folder now is let write its name.
+void remove_halves_of_the_dead(const fs::path& folder) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string file = entry.path().filename().string();
+        std::error_code gone;
+        if (file.starts_with('.') && file.ends_with(".part") && !file.starts_with("..owner"))
+            fs::remove(entry.path(), gone);
+    }
+}
+
 BurnFolder::BurnFolder(const fs::path& folder)
     : file_(folder / owner_file), is_new_(!fs::exists(folder)) {
     prepare_directory(folder);
@@ -128,6 +138,7 @@ BurnFolder::BurnFolder(const fs::path& folder)
         fs::rename(file_, dead, gone);
         fs::remove(dead, gone);
     }
+    remove_halves_of_the_dead(folder);
 }
 
 BurnFolder::~BurnFolder() {

@@ -86,6 +86,7 @@ struct Parser {
         run_command->callback([this, fidelity] {
             if (run.from_records && fidelity->count() == 0) run.fidelity.clear();
         });
+        add_threads(run_command, run.threads);
         add_quiet(run_command, run.quiet);
         add_footer(run_command, help::run_examples);
     }
@@ -98,6 +99,7 @@ struct Parser {
             ->type_name("WORD")
             ->capture_default_str();
         add_out(ledger_command, ledger.out, "out")->capture_default_str();
+        add_threads(ledger_command, ledger.threads);
         add_quiet(ledger_command, ledger.quiet);
         add_footer(ledger_command, help::ledger_examples);
     }
@@ -128,6 +130,7 @@ struct Parser {
             verify_command->add_option("--junit", verify.junit, "Write JUnit XML, a test a gate"))
             ->type_name("FILE");
         add_out(verify_command, verify.out, "out/verify")->capture_default_str();
+        add_threads(verify_command, verify.threads);
         add_quiet(verify_command, verify.quiet);
         add_footer(verify_command, help::verify_examples);
     }
@@ -184,9 +187,11 @@ struct Parser {
         burn_command->add_flag("--as-written", burn.as_written,
                                "Compute also what a symmetry or one material in x makes known");
         burn_command->add_flag("--timing", burn.timing, "Print where the time went");
-        auto* const check = burn_command->add_flag(
-            "--check", burn.check, "Run nothing: print the scene's numbers and their limits");
-        burn_command->add_flag("--json", burn.json, "Print them as JSON")->needs(check);
+        burn_command->add_flag("--check", burn.check,
+                               "Run nothing: print the scene's numbers and their limits");
+        burn_command->add_flag("--json", burn.json,
+                               "Print how it ended as one line of JSON, and words on stderr; with "
+                               "--check its numbers");
         add_quiet(burn_command, burn.quiet);
         burn_command->footer("");  // not the program's own besides
         burn_command->footer([] {
@@ -228,6 +233,13 @@ struct Parser {
 
     static void add_footer(CLI::App* command, const std::string& examples) {
         command->footer(examples + '\n' + help::exit_codes);
+    }
+
+    static void add_threads(CLI::App* command, std::optional<unsigned>& threads) {
+        constexpr unsigned most = 1024;  // of one machine; more is a slip
+        command->add_option("--threads", threads, "How many run side by side, else one a core")
+            ->type_name("N")
+            ->check(CLI::Range(1U, most));
     }
 
     static void add_quiet(CLI::App* command, bool& quiet) {

@@ -25,15 +25,17 @@ struct RunOptions {
     bool all = false;  ///< every case, whatever is named
     std::string fidelity = "paper";
     std::filesystem::path out = "out";
-    bool again = false;  ///< draw also what is up to date
-    bool movie = false;  ///< the movies of the cases
+    bool again = false;               ///< draw also what is up to date
+    bool movie = false;               ///< the movies of the cases
+    std::optional<unsigned> threads;  ///< runs side by side; one a core if none is given
     bool from_records =
         false;  ///< draw again what has been drawn, whatever fidelity if it is empty
     bool quiet = false;
 };
 
 struct LedgerOptions {
-    bool settle = false;  ///< burn all that it rests on; else take the one in the tree
+    std::optional<unsigned> threads;  ///< as run
+    bool settle = false;              ///< burn all that it rests on; else take the one in the tree
     std::string fidelity = "paper";
     std::filesystem::path out = "out";
     bool quiet = false;
@@ -47,6 +49,7 @@ struct VerifyOptions {
     std::optional<std::filesystem::path> against;  ///< an earlier verify.json
     std::optional<double> grown;                   ///< factor >= 1, of what is listed against it
     bool exact = false;                            ///< against it, bit by bit
+    std::optional<unsigned> threads;               ///< as run
     bool verbose = false;                          ///< print every gate in full
     std::optional<std::filesystem::path> junit;    ///< JUnit XML to write
     std::filesystem::path out = "out/verify";
@@ -68,7 +71,7 @@ struct BurnSceneOptions {
     bool timing = false;
     bool as_written = false;  ///< nothing is left out
     bool check = false;       ///< only what its numbers will be
-    bool json = false;        ///< those as JSON
+    bool json = false;        ///< those, or how it ended, as JSON
     bool quiet = false;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <ios>
 #include <new>
 
 #include "base/errors.hpp"
@@ -20,10 +21,26 @@ Failure failure_of(const std::exception_ptr& problem) {
         return {error.what(), exit_code::wrong_input};
     } catch (const NumericalFailure& error) {
         return {error.what(), exit_code::numbers_failed};
+    } catch (const std::filesystem::filesystem_error& error) {
+        return {fmt::format("cannot use {}: {}", error.path1().string(), error.code().message()),
+                exit_code::wrong_input};
+    } catch (const std::ios_base::failure& error) {
+        return {fmt::format("a file cannot be read or written: {}", error.what()),
+                exit_code::wrong_input};
     } catch (const std::bad_alloc&) {
         return {"out of memory; use fewer cells", exit_code::numbers_failed};
     } catch (const std::exception& error) {
         return {fmt::format("internal error: {}", error.what()), exit_code::numbers_failed};
+    }
+}
+
+bool is_out_of_memory(const std::exception_ptr& problem) {
+    try {
+        std::rethrow_exception(problem);
+    } catch (const std::bad_alloc&) {
+        return true;
+    } catch (...) {
+        return false;
     }
 }
 

@@ -13,4 +13,6 @@ struct Failure {
 
 Failure failure_of(const std::exception_ptr& problem);
 
+bool is_out_of_memory(const std::exception_ptr& problem);
+
 }  // namespace crawford

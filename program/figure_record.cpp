@@ -86,7 +86,8 @@ void write_manifest(const fs::path& figures, const reports::Record& record,
     json["pictures"] = names(record.figure->pictures());
     json["data"] = names(record.figure->data());
     json["scenes"] = record.scenes;
-    write_file(manifest_of(figures, record.experiment), json.dump(2) + '\n');
+    write_file(manifest_of(figures, record.experiment),
+               json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace crawford

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "base/atomic_file.hpp"
@@ -40,8 +41,11 @@ reports::Ledger settled_before() {
 }
 
 void draw_claiming_cases(const LedgerOptions& options, const CommandLine& command) {
-    RunOptions drawing{
-        .cases = {}, .fidelity = options.fidelity, .out = options.out, .quiet = options.quiet};
+    RunOptions drawing{.cases = {},
+                       .fidelity = options.fidelity,
+                       .out = options.out,
+                       .threads = options.threads,
+                       .quiet = options.quiet};
     for (const Entry* entry : ledger::claiming_cases()) drawing.cases.push_back(entry->name);
     if (run(drawing, command) != exit_code::done)
         throw NumericalFailure("a case that the ledger cites could not be drawn");
@@ -52,7 +56,11 @@ void draw_claiming_cases(const LedgerOptions& options, const CommandLine& comman
 class Runs {
 public:
     Runs(Fidelity fidelity, const LedgerOptions& options, reports::RecordStore& store)
-        : fidelity_(fidelity), out_(options.out), store_(store), narrator_(options.quiet) {}
+        : fidelity_(fidelity),
+          out_(options.out),
+          threads_(options.threads),
+          store_(store),
+          narrator_(options.quiet) {}
 
     void make_missing() {
         const FileLock lock(out_ / "records" / ".ledger.lock",
@@ -60,11 +68,12 @@ public:
         std::vector<ledger::Run> missing;
         for (const ledger::Run& run : ledger::runs(fidelity_))
             if (!store_.find(run.experiment, run.setting)) missing.push_back(run);
-        run_told(burns_of(missing), narrator_, [this](const Job& job, const std::exception_ptr&) {
-            narrator_.say(job.name + " failed: its reading has no numbers");
-        });
+        run_told(burns_of(missing), narrator_, threads_,
+                 [this](const Job& job, const std::exception_ptr&) {
+                     narrator_.say(job.name + " failed: its reading has no numbers");
+                 });
         std::exception_ptr cannot_keep;
-        run_told(jobs_of(missing), narrator_,
+        run_told(jobs_of(missing), narrator_, threads_,
                  [&](const Job&, const std::exception_ptr& problem) { cannot_keep = problem; });
         if (cannot_keep) std::rethrow_exception(cannot_keep);
     }
@@ -93,6 +102,7 @@ private:
 
     Fidelity fidelity_;
     std::filesystem::path out_;
+    std::optional<unsigned> threads_;
     reports::RecordStore& store_;
     Narrator narrator_;
 };
@@ -126,7 +136,8 @@ reports::Ledger settle(const LedgerOptions& options, const CommandLine& command)
     manifest["fidelity"] = options.fidelity;
     manifest["source_fingerprint"] = source_fingerprint();
     manifest["wall_seconds"] = std::chrono::duration<double>(Clock::now() - started).count();
-    settled.manifest = manifest.dump();
+    settled.manifest =
+        manifest.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     return settled;
 }
 

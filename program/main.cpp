@@ -1,4 +1,5 @@
 /// `crawford`: see help.hpp for what it says about itself.
+#include <cstdlib>
 #include <iostream>
 
 #include "base/errors.hpp"
@@ -27,6 +28,12 @@ int main(int count, char** arguments) {
     } catch (...) {
         const auto failure = crawford::failure_of(std::current_exception());
         std::cerr << "crawford: " << failure.message << '\n';
+        // Where memory is short threads of OpenBLAS try for ever to get some, and the end of the
+        // program would wait for them.
+        if (crawford::is_out_of_memory(std::current_exception())) {
+            std::cout.flush();
+            std::_Exit(failure.exit_code);
+        }
         return failure.exit_code;
     }
 }

@@ -42,7 +42,7 @@ std::string rest_of_manifest(const fs::path& figures, const std::string& name) {
     auto manifest = Json::parse(file, nullptr, false);
     if (!manifest.is_object()) return "{}";
     for (const char* shown : {"findings", "scenes", "pictures", "data"}) manifest.erase(shown);
-    return manifest.dump();
+    return manifest.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string options_of(const std::string& fidelity, const fs::path& out) {

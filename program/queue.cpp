@@ -23,7 +23,7 @@ std::string text(const QueueStanding& standing) {
 
 }  // namespace
 
-void run_told(std::vector<Job> jobs, Narrator& narrator,
+void run_told(std::vector<Job> jobs, Narrator& narrator, std::optional<unsigned> threads,
               const std::function<void(const Job&, std::exception_ptr)>& failed) {
     auto last_told = Clock::now();
     const auto progress = [&](const Job& job, double done, const QueueStanding& standing) {
@@ -37,7 +37,7 @@ void run_told(std::vector<Job> jobs, Narrator& narrator,
                                  failure ? "failed after" : "done in", seconds, text(standing)));
         if (failure) failed(job, failure);
     };
-    run_jobs(std::move(jobs), {.progress = progress, .ended = ended});
+    run_jobs(std::move(jobs), {.progress = progress, .ended = ended}, threads);
 }
 
 }  // namespace crawford

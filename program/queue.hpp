@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/job_queue.hpp"
@@ -10,9 +11,9 @@
 
 namespace crawford {
 
-/// Runs all jobs (base/job_queue.hpp), tells what goes on and how long it will take, and calls
+/// Runs all jobs (base/job_queue.hpp), so many at a time if `threads` says it, tells what goes on and how long it will take, and calls
 /// `failed`, one at a time, for those that throw.
-void run_told(std::vector<Job> jobs, Narrator& narrator,
+void run_told(std::vector<Job> jobs, Narrator& narrator, std::optional<unsigned> threads,
               const std::function<void(const Job&, std::exception_ptr)>& failed);
 
 }  // namespace crawford

@@ -68,8 +68,8 @@ private:
         const auto failed = [this](const Job& job, const std::exception_ptr& failure) {
             tell_failure(job.name, failure);
         };
-        run_told(burns_and_plain_cases(), narrator_, failed);
-        run_told(cases_that_look_at_others(), narrator_, failed);
+        run_told(burns_and_plain_cases(), narrator_, options_.threads, failed);
+        run_told(cases_that_look_at_others(), narrator_, options_.threads, failed);
     }
 
     bool is_up_to_date(const Entry& entry) {

@@ -121,9 +121,11 @@ int verify(const VerifyOptions& options, const CommandLine& command) {
     });
     reports::RecordStore store(options.out / "records", fingerprint_with_scenes());
     const auto started = Clock::now();
-    auto results = options.judge_only
-                       ? reports::judge_kept(tasks, store)
-                       : reports::run(tasks, &store, [&](const auto& p) { tell(narrator, p); });
+    auto results =
+        options.judge_only
+            ? reports::judge_kept(tasks, store)
+            : reports::run(
+                  tasks, &store, [&](const auto& p) { tell(narrator, p); }, options.threads);
     if (!options.judge_only) tell_kept(narrator, results);
     const bool is_foreign = tell_foreign(results);
     auto found = collected(chosen, std::move(results), options, grids);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "base/job_queue.hpp"
@@ -58,7 +59,8 @@ std::string name_of(const Run& run) {
     return fmt::format("{}: {}", run.task->study.name(), run.task->study.setting(run.grid).text());
 }
 
-void make(std::vector<Run*> missing, RecordStore* store, const OnProgress& on_progress) {
+void make(std::vector<Run*> missing, RecordStore* store, const OnProgress& on_progress,
+          std::optional<unsigned> threads) {
     std::vector<Job> jobs;
     std::map<std::string, const Run*> run_of;
     for (Run* const run : missing) {
@@ -73,21 +75,23 @@ void make(std::vector<Run*> missing, RecordStore* store, const OnProgress& on_pr
     }
     std::exception_ptr cannot_keep;
     run_jobs(std::move(jobs),
-             {.ended = [&](const Job& job, double seconds, const std::exception_ptr& problem,
-                           const QueueStanding& standing) {
-                 if (problem) cannot_keep = problem;
-                 const Record& record = *run_of.at(job.name)->record;
-                 if (on_progress)
-                     on_progress({record.experiment, record.setting, seconds, standing.ended,
-                                  standing.total, record.ending.message, standing.to_go});
-             }});
+             {.ended =
+                  [&](const Job& job, double seconds, const std::exception_ptr& problem,
+                      const QueueStanding& standing) {
+                      if (problem) cannot_keep = problem;
+                      const Record& record = *run_of.at(job.name)->record;
+                      if (on_progress)
+                          on_progress({record.experiment, record.setting, seconds, standing.ended,
+                                       standing.total, record.ending.message, standing.to_go});
+                  }},
+             threads);
     if (cannot_keep) std::rethrow_exception(cannot_keep);
 }
 
 }  // namespace
 
 std::vector<StudyResult> run(const std::vector<Task>& tasks, RecordStore* store,
-                             const OnProgress& on_progress) {
+                             const OnProgress& on_progress, std::optional<unsigned> threads) {
     std::vector<std::vector<Run>> runs;
     for (const Task& task : tasks) {
         auto& own = runs.emplace_back();
@@ -104,7 +108,7 @@ std::vector<StudyResult> run(const std::vector<Task>& tasks, RecordStore* store,
     for (const auto& own : runs)
         kept.push_back(size_t(
             std::ranges::count_if(own, [](const Run& run) { return run.record.has_value(); })));
-    make(std::move(missing), store, on_progress);
+    make(std::move(missing), store, on_progress, threads);
     std::vector<StudyResult> results;
     for (size_t k = 0; k < tasks.size(); ++k) {
         results.push_back(judged(tasks[k], runs[k]));

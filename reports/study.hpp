@@ -138,13 +138,14 @@ struct StudyResult {
     bool is_foreign = false;        ///< whether a record is of another fingerprint than the store
 };
 
-/// Runs all grids of all tasks out of one queue (base/job_queue.hpp) and judges every row. What
-/// `store` holds is not run again, and what is run is added to it at once. A run that throws fails
+/// Runs all grids of all tasks out of one queue (base/job_queue.hpp), `threads` at a time, and
+/// judges every row. What `store` holds is not run again, and what is run is added to it at once. A run that throws fails
 /// every gate that needs it, with the reason; it stops nothing else. `on_progress` is called from
 /// one thread at a time.
 /// \throws std::invalid_argument if a study has nothing to measure, no grid or no gate.
 std::vector<StudyResult> run(const std::vector<Task>& tasks, RecordStore* store = nullptr,
-                             const OnProgress& on_progress = {});
+                             const OnProgress& on_progress = {},
+                             std::optional<unsigned> threads = {});
 
 /// Judges what `store` holds, whatever its fingerprint, and runs nothing: a grid without a record
 /// is one that was left out.

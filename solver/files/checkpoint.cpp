@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "solver/files/hdf5_file.hpp"
 #include "solver/files/scene_difference.hpp"
+#include "solver/files/seal.hpp"
 #include "solver/step/state_fields.hpp"
 
 namespace crawford {
@@ -188,7 +189,7 @@ std::optional<StepChoice> read_choice(const Hdf5File& file) {
 }
 
 Hdf5File open_checkpoint(const std::filesystem::path& path) {
-    Hdf5File file = Hdf5File::open(path);
+    Hdf5File file = Hdf5File::of(read_sealed(path), path);
     if (!file.contains("/crawford/checkpoint_format"))
         throw InputError(
             fmt::format("{} is no checkpoint; give one that `crawford burn` wrote", path.string()));
@@ -222,7 +223,7 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
     if (checkpoint.state.previous) write_state(file, "/previous", *checkpoint.state.previous);
     write_window(file, checkpoint.memory.window);
     if (checkpoint.memory.choice) write_choice(file, *checkpoint.memory.choice);
-    file.publish();
+    write_sealed(path, file.image());
 }
 
 bool is_checkpoint_of(const std::filesystem::path& path, const std::string& scene) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <concepts>
+#include <random>
 #include <utility>
 
 #include "base/atomic_file.hpp"
@@ -55,6 +56,8 @@ void compress(hid_t properties, const Hdf5File::Shape& shape) {
     H5Pset_deflate(properties, level);
 }
 
+constexpr size_t increment = 1 << 20;  ///< of a file in memory that grows [bytes]
+
 Hdf5Handle text_type() {
     Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(type.id(), H5T_VARIABLE);
@@ -85,7 +88,6 @@ Hdf5File::Hdf5File(std::filesystem::path path, const char* purpose)
 
 Hdf5File Hdf5File::create(const std::filesystem::path& path) {
     Hdf5File file(path, "write");
-    constexpr size_t increment = 1 << 20;
     const Hdf5Handle in_memory = file.checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "");
     file.check(H5Pset_fapl_core(in_memory.id(), increment, false) >= 0, "");
     file.file_ = file.checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory.id()),
@@ -96,6 +98,19 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path) {
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
     Hdf5File file(path, "read");
     file.file_ = file.checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "");
+    return file;
+}
+
+Hdf5File Hdf5File::of(std::string_view image, const std::filesystem::path& path) {
+    Hdf5File file(path, "read");
+    const Hdf5Handle in_memory = file.checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "");
+    file.check(H5Pset_fapl_core(in_memory.id(), increment, false) >= 0, "");
+    // A name that no file on the disk has, as HDF5 asks, and no other file in memory: those it would share.
+    std::random_device random;
+    const std::string name = fmt::format("{}.{:08x}{:08x}", path.string(), random(), random());
+    std::string copy(image);  // HDF5 asks for bytes that it may change, and copies them
+    file.check(H5Pset_file_image(in_memory.id(), copy.data(), copy.size()) >= 0, "");
+    file.file_ = file.checked(H5Fopen(name.c_str(), H5F_ACC_RDONLY, in_memory.id()), H5Fclose, "");
     return file;
 }
 
@@ -123,6 +138,8 @@ void Hdf5File::write(const std::string& path, std::span<const Number> numbers, c
     const Hdf5Handle space =
         checked(H5Screate_simple(int(shape.size()), shape.data(), nullptr), H5Sclose, path);
     const Hdf5Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path);
+    // Files of the same numbers are the same, byte by byte, whenever they were written.
+    check(H5Pset_obj_track_times(properties.id(), false) >= 0, path);
     if (numbers.size() > 1) compress(properties.id(), shape);
     Hdf5Handle dataset = checked(H5Dcreate2(file_.id(), path.c_str(), native_type<Number>(),
                                             space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
@@ -234,13 +251,17 @@ std::vector<std::string> Hdf5File::names(const std::string& group) const {
     return names;
 }
 
-void Hdf5File::publish() {
+std::string Hdf5File::image() const {
     check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0, "");
     const ssize_t size = H5Fget_file_image(file_.id(), nullptr, 0);
     check(size >= 0, "");
     std::string image(static_cast<size_t>(size), '\0');
     check(H5Fget_file_image(file_.id(), image.data(), image.size()) == size, "");
-    write_file(path_, image);
+    return image;
+}
+
+void Hdf5File::publish() {
+    write_file(path_, image());
 }
 
 template void Hdf5File::write(const std::string&, std::span<const double>, const Shape&,

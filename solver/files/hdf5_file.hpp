@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,8 @@ public:
     /// To be read.
     /// \throws InputError if there is no such file or it is no HDF5 file.
     static Hdf5File open(const std::filesystem::path& path);
+    /// The same of a file whose bytes are here already; `path` is for messages. They are copied.
+    static Hdf5File of(std::string_view image, const std::filesystem::path& path);
 
     void create_group(const std::string& path);
 
@@ -70,6 +73,9 @@ public:
     std::vector<std::string> names(const std::string& group) const;
     std::string text_attribute(const std::string& object, const std::string& name) const;
     bool has_attribute(const std::string& object, const std::string& name) const;
+
+    /// The bytes of the file.
+    std::string image() const;
 
     /// Writes the file whole, in place of what was there. HDF5 itself never touches the disk,
     /// because after a failed write (a full disk) it cannot even be left in order.

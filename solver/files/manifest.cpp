@@ -38,7 +38,6 @@ nlohmann::ordered_json json_of(const RunResults& results, double time) {
 }  // namespace
 
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest) {
-    const std::chrono::duration<double> wall = manifest.ended - manifest.started;
     nlohmann::ordered_json json = {
         {"program", "crawford"},
         {"version", version()},
@@ -52,7 +51,7 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
         {"outcome", manifest.outcome},
         {"started", time_of_day(manifest.started)},
         {"ended", time_of_day(manifest.ended)},
-        {"wall_seconds", wall.count()},
+        {"wall_seconds", manifest.wall_seconds},
         {"peak_memory_bytes", peak_memory()},
         {"first_step", manifest.first_step},
         {"last_step", manifest.last_step},

@@ -37,6 +37,7 @@ struct Manifest {
     Guards met;                      ///< the worst of the run so far
     std::chrono::system_clock::time_point started;
     std::chrono::system_clock::time_point ended;
+    double wall_seconds = 0.0;          ///< between the two, by a clock that nobody sets back
     std::optional<RunResults> results;  ///< of a run that is done
 };
 

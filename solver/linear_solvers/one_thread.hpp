@@ -7,6 +7,7 @@ namespace crawford {
 /// four threads for dense blocks of a few dozen rows: a step of a sandwich takes twice as long with
 /// them, and runs side by side get in each other's way. Two runs at a time use two cores better
 /// than one run on both.
+/// \throws std::bad_alloc if there is no room for the work space of OpenBLAS.
 void use_one_thread();
 
 }  // namespace crawford

@@ -167,6 +167,7 @@ private:
         manifest_.time = simulation_.state().time;
         if (const auto choice = steps_->choice()) manifest_.steps = choice->count;
         manifest_.ended = std::chrono::system_clock::now();
+        manifest_.wall_seconds = std::chrono::duration<double>(Clock::now() - started_).count();
         write_manifest(options_.directory / "manifest.json", manifest_);
     }
 

@@ -107,12 +107,16 @@ TEST_F(ProgramFiles, SaysWhenItsAnswerCannotBeWritten) {
 TEST_F(ProgramFiles, ClearsAwayItsOwnOlderResults) {
     EXPECT_EQ(crawford(short_burn(out(), {"--set", "time.end=100 us"})).status, 0);
     std::ofstream(out_ / "notes.txt") << "mine";
+    std::ofstream(out_ / "notes.part") << "mine";
+    std::ofstream(out_ / ".slab_checkpoint_000004.h5.0123.part") << "half, and killed";
     const Finished again = crawford(short_burn(out()));
     EXPECT_EQ(again.status, 0) << again.output;
     EXPECT_FALSE(fs::exists(out_ / "slab_000005.hdf"));
     EXPECT_FALSE(fs::exists(out_ / "slab_checkpoint_000005.h5"));
     EXPECT_TRUE(fs::exists(out_ / "slab_checkpoint_000003.h5"));
     EXPECT_TRUE(fs::exists(out_ / "notes.txt"));
+    EXPECT_TRUE(fs::exists(out_ / "notes.part"));
+    EXPECT_FALSE(fs::exists(out_ / ".slab_checkpoint_000004.h5.0123.part"));
     EXPECT_FALSE(fs::exists(out_ / ".owner"));
 }
 
@@ -181,6 +185,55 @@ TEST_F(ProgramFiles, GoesOnWithValuesEqualToRounding) {
     std::vector<std::string> command = short_burn(out());
     command.insert(command.begin(), "--quiet");
     EXPECT_EQ(crawford(command).status, 0) << "--quiet before the command";
+}
+
+/// The digest is looked at before HDF5 sees a byte; a directory is no file at all.
+TEST_F(ProgramFiles, RefusesACheckpointThatIsNotAsItWasWritten) {
+    EXPECT_EQ(crawford(short_burn(out())).status, 0);
+    const fs::path checkpoint = out_ / "slab_checkpoint_000003.h5";
+    std::fstream(checkpoint, std::ios::in | std::ios::out | std::ios::binary).seekp(1000) << "??";
+    const std::vector<std::string> on{"--set", "time.end=100 us", "--restart"};
+    const auto from = [&](const fs::path& file) {
+        auto more = on;
+        more.push_back(file.string());
+        return short_burn(out(), more);
+    };
+    expect_refused(from(checkpoint), "slab_checkpoint_000003.h5 is damaged");
+    expect_refused(from(out_), "cannot read");
+}
+
+/// What the program prints on stdout alone.
+nlohmann::json line_of(const std::vector<std::string>& arguments, int status) {
+    std::vector<std::string> command{"sh", "-c", "exec \"$@\" 2>/dev/null", "sh", program_path()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Finished run = run_program(command);
+    EXPECT_EQ(run.status, status) << run.output;
+    EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
+    return nlohmann::json::parse(run.output);
+}
+
+TEST_F(ProgramFiles, EndWithOneLineForPrograms) {
+    const auto done = line_of(short_burn(out(), {"--json"}), 0);
+    EXPECT_EQ(done.at("outcome"), "done");
+    EXPECT_EQ(done.at("exit_code"), 0);
+    EXPECT_EQ(done.at("out"), out());
+    const auto manifest = nlohmann::json::parse(std::ifstream(out_ / "manifest.json"));
+    EXPECT_EQ(done.at("results"), manifest.at("results"));
+    const auto refused = line_of(short_burn(out(), {"--json", "--set", "domain.nx=many"}), 2);
+    EXPECT_EQ(refused.at("outcome"), "refused");
+    EXPECT_THAT(refused.at("failure").at("message").get<std::string>(), HasSubstr("domain.nx"));
+}
+
+TEST_F(ProgramFiles, AreTheSameFromAnyNumberOfThreads) {
+    const std::vector<std::string> study{"verify", "stress-work", "--quiet", "--out"};
+    auto alone = study, beside = study;
+    alone.insert(alone.end(), {out() + "/1", "--threads", "1"});
+    beside.insert(beside.end(), {out() + "/3", "--threads", "3", "--exact", "--against",
+                                 out() + "/1/verify.json"});
+    EXPECT_EQ(crawford(alone).status, 0);
+    const Finished compared = crawford(beside);
+    EXPECT_EQ(compared.status, 0) << compared.output;
+    EXPECT_THAT(compared.output, HasSubstr("all the same"));
 }
 
 }  // namespace

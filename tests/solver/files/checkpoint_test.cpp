@@ -14,6 +14,7 @@
 #include "base/errors.hpp"
 #include "solver/files/hdf5_file.hpp"
 #include "solver/files/scene_difference.hpp"
+#include "solver/files/seal.hpp"
 #include "solver/scene/write_scene.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/scratch.hpp"
@@ -197,16 +198,35 @@ TEST_F(OutputCheckpoint, ThatIsNoneIsRefused) {
     put(file(), "no HDF5 at all");
     EXPECT_THROW(load_checkpoint(file(), scene), InputError);
     Hdf5File::create(file()).publish();
-    EXPECT_NE(refusal(scene).find("is no checkpoint"), std::string::npos);
+    EXPECT_THAT(refusal(scene), ::testing::HasSubstr("is no checkpoint, or an earlier version"));
+    write_sealed(file(), Hdf5File::create(file()).image());
+    EXPECT_THAT(refusal(scene), ::testing::HasSubstr("is no checkpoint"));
+    EXPECT_THAT(message_of<InputError>([&] { load_checkpoint(directory, scene); }),
+                ::testing::HasSubstr("cannot read"));
 }
 
 TEST_F(OutputCheckpoint, CutShortIsRefused) {
     save_checkpoint(file(), {awkward_state(), {}}, provenance);
     const std::string whole = content(file());
-    for (const size_t part : {1, 4, 6, 7}) {
-        put(file(), whole.substr(0, whole.size() * part / 8));
-        EXPECT_THROW(load_checkpoint(file(), scene), InputError) << part << "/8";
+    for (size_t size = 0; size < whole.size(); size += size < 600 ? 3 : 997) {
+        put(file(), whole.substr(0, size));
+        EXPECT_THAT(refusal(scene), ::testing::HasSubstr("is damaged")) << size << " bytes";
     }
+    put(file(), whole + '\0');
+    EXPECT_THAT(refusal(scene), ::testing::HasSubstr("is damaged")) << "one byte more";
+}
+
+TEST_F(OutputCheckpoint, WithOneBitChangedIsRefused) {
+    save_checkpoint(file(), {awkward_state(), {}}, provenance);
+    const std::string whole = content(file());
+    for (size_t at = 0; at < whole.size(); at += at < 600 ? 1 : 101) {
+        std::string damaged = whole;
+        damaged[at] = char(damaged[at] ^ (1 << at % 8));
+        put(file(), damaged);
+        EXPECT_THAT(refusal(scene), ::testing::HasSubstr("is damaged")) << "byte " << at;
+    }
+    put(file(), whole);
+    EXPECT_NO_THROW(load_checkpoint(file(), scene));
 }
 
 TEST_F(OutputCheckpoint, ThatCannotBeWrittenLeavesNothing) {

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/errors.hpp"
 #include "base/scratch.hpp"
+#include "solver/files/checkpoint.hpp"
 #include "solver/run/run_identity.hpp"
 #include "solver/scene/read_scene.hpp"
 
@@ -100,6 +103,31 @@ TEST_F(KeptRunsTest, ThatAreDamagedAreMadeAnew) {
     const auto run = runs_.get(scene);
     std::filesystem::remove(run->directory / "manifest.json");
     EXPECT_EQ(steps_to_get(scene), 8);
+}
+
+/// Marks a run as cut off.
+void cut_off(const std::filesystem::path& directory) {
+    const auto file = directory / "manifest.json";
+    auto manifest = nlohmann::ordered_json::parse(std::ifstream(file));
+    manifest["outcome"] = "running";
+    std::ofstream(file) << manifest.dump(2);
+}
+
+TEST_F(KeptRunsTest, WhoseLastCheckpointIsDamagedGoOnFromTheOneBefore) {
+    const Scene scene = small_scene(20e-6);
+    const auto run = runs_.get(scene);
+    ASSERT_EQ(run->time.size(), 8U);
+    const auto last = checkpoint_file(run->directory, "burn", 7);
+    const auto size = std::filesystem::file_size(last);
+    cut_off(run->directory);
+    EXPECT_EQ(steps_to_get(scene), 1);
+    cut_off(run->directory);
+    std::fstream(last, std::ios::in | std::ios::out | std::ios::binary).seekp(size / 2) << "??";
+    EXPECT_EQ(steps_to_get(scene), 2);
+    cut_off(run->directory);
+    std::filesystem::resize_file(last, size - 1);
+    EXPECT_EQ(steps_to_get(scene), 2);
+    EXPECT_EQ(runs_.get(scene)->mean_burn_rate, run->mean_burn_rate);
 }
 
 TEST_F(KeptRunsTest, ThatFailedAreTriedAgainFromTheirLastCheckpoint) {
