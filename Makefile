@@ -49,7 +49,7 @@ define tidy_database
 	  > build/tidy/compile_commands.json
 endef
 
-.PHONY: faults faults-short help deps tools python test-python program build test verify mutants figures ledger extremes ensemble ensemble-test ensemble-slurm bench format check-format tidy tidy-changed clean
+.PHONY: faults faults-short help deps tools python test-python test-freefem program build test verify mutants figures ledger extremes ensemble ensemble-test ensemble-slurm bench format check-format tidy tidy-changed clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
@@ -66,6 +66,7 @@ help:
 	@echo '              ensemble-test kills one and looks at its tables, ensemble-slurm tries a cluster (as root)'
 	@echo 'make python   the Python module, in build/python (PYTHONPATH=build/python python3 -c "import crawford")'
 	@echo 'make test-python  the tests of it, and the examples for other codes'
+	@echo 'make test-freefem  FreeFEM solves two sandwiches and is judged'
 	@echo 'make bench    how fast the parts are'
 	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
 	@echo 'make format   put all sources into the one format; make check-format only looks'
@@ -88,6 +89,11 @@ python: program
 # Debian's own: another python3 in PATH may lack pytest.
 test-python: python
 	@/usr/bin/python3 -B -m pytest -q -p no:cacheprovider examples/python
+
+# Another code's sandwiches, held against the exact ones.
+test-freefem: program
+	$(call install,freefem++)
+	@examples/freefem/judge $(OUT)/freefem
 
 program: deps
 	@cmake --preset release >/dev/null
