@@ -32,6 +32,8 @@ Rules rules() {
     rules.may_know["cases"].insert("cases");
     rules.may_know["program"].insert({"cases", "program"});
     rules.may_know["tests"].insert("tests");
+    // Burns what a study burns; a program of its own.
+    rules.may_know["tests/handed_in"] = {"base", "cases", "tests"};
     rules.ranks = {{"packing", "linear_solvers", "time_integration"},
                    {"scene"},
                    {"mesh"},

@@ -97,6 +97,7 @@ TEST_F(OutputRun, ManifestSaysWhatItTakesToRepeatIt) {
                                   .steady = true};
     manifest.started = std::chrono::system_clock::from_time_t(1'000'000'000);
     manifest.ended = manifest.started + std::chrono::milliseconds(2500);
+    manifest.wall_seconds = 2.5;
     write_manifest(directory / "manifest.json", manifest);
     const auto json = nlohmann::json::parse(content(directory / "manifest.json"));
     EXPECT_EQ(json.at("version"), version());
