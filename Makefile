@@ -67,7 +67,7 @@ help:
 	@echo 'make python   the Python module, in build/python (PYTHONPATH=build/python python3 -c "import crawford")'
 	@echo 'make test-python  the tests of it, and the examples for other codes'
 	@echo 'make test-freefem  FreeFEM solves two sandwiches and is judged'
-	@echo 'make bench    how fast the parts are'
+	@echo 'make bench    how fast the parts are, and against results/bench.json'
 	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
 	@echo 'make format   put all sources into the one format; make check-format only looks'
 	@echo 'make tidy     clang-tidy over all sources; make tidy-changed: over what changed of late'
@@ -154,7 +154,9 @@ ensemble-slurm: program
 
 bench: program
 	@cmake --build --preset release --target bench bench_with_regions --parallel $(JOBS)
-	@build/tests/bench/bench
+	$(call install,python3-minimal)
+	@build/tests/bench/bench --benchmark_out=build/bench.json --benchmark_out_format=json
+	@python3 tests/bench/compare.py results/bench.json build/bench.json
 	@for pair in 1 2 3; do for program in bench bench_with_regions; do \
 	  echo "pack, pair $$pair, $$program:"; \
 	  build/tests/bench/$$program --benchmark_filter=solver_pack/cholmod 2>/dev/null | grep solver_pack; done; done

@@ -1,22 +1,12 @@
 #include "reports/record.hpp"
 
 #include <chrono>
-#include <ctime>
 
 #include "base/errors.hpp"
 #include "base/peak_memory.hpp"
+#include "base/thread_time.hpp"
 
 namespace crawford::reports {
-
-namespace {
-
-double seconds_of_this_thread() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
-}  // namespace
 
 std::string_view name(Ending::Kind kind) {
     switch (kind) {

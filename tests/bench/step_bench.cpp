@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,12 @@ namespace crawford {
 
 namespace {
 
-double projection_seconds(const Simulation& simulation) {
-    for (const ModuleTime& time : simulation.timing())
-        if (time.module == "projection") return time.seconds;
-    return 0.0;
+using Seconds = std::map<std::string, double>;
+
+Seconds seconds_by_module(const Simulation& simulation) {
+    Seconds seconds;
+    for (const ModuleTime& time : simulation.timing()) seconds[time.module] = time.seconds;
+    return seconds;
 }
 
 /// Steps of a shipped scene. The first, which also analyses the matrix, is not counted.
@@ -24,10 +27,13 @@ void step(benchmark::State& state, const char* scene, const std::vector<std::str
     const auto file = std::filesystem::path(CRAWFORD_SOURCE_DIR) / "cases/scenes" / scene;
     Simulation simulation(read_scene(file, overrides));
     run_steps(simulation, 1);
-    const double before = projection_seconds(simulation);
+    Seconds before = seconds_by_module(simulation);
     for ([[maybe_unused]] auto iteration : state) run_steps(simulation, 1);
-    state.counters["projection_ms"] = benchmark::Counter(
-        1e3 * (projection_seconds(simulation) - before), benchmark::Counter::kAvgIterations);
+    const Grid& grid = simulation.grid();
+    const double cells = double(grid.cell_columns()) * grid.rows();
+    for (const auto& [module, seconds] : seconds_by_module(simulation))
+        state.counters[module + "_ns_a_cell"] = benchmark::Counter(
+            1e9 * (seconds - before[module]) / cells, benchmark::Counter::kAvgIterations);
     state.counters["solver_iterations"] = simulation.summary().solver_iterations;
 }
 
