@@ -6,11 +6,11 @@
 /// is near its limit. An answer is off where burnt depth or regression rate differ by more than 2 %
 /// (of a surface that is not yet alight: its temperature).
 ///
-/// - **right**: nothing was said, and it is not off.
-/// - **remarked**: the program said that it is inaccurate, or means something else than it seems to.
-/// - **refused**: not begun, or not burnt to its end, with the reason. Ringed where it is right when it is
+/// - `right`: nothing was said, and it is not off.
+/// - `remarked`: the program said that it is inaccurate, or means something else than it seems to.
+/// - `refused`: not begun, or not burnt to its end, with the reason. Ringed where it is right when it is
 ///   burnt all the same.
-/// - **wrong**: off without a word. There must be none.
+/// - `wrong`: off without a word. There must be none.
 ///
 /// Lines are limits that theory gives, computed from the scene alone (docs/limits.md says where each
 /// comes from). Under each map stands at how many of its points theory and outcome agree: beyond a

@@ -163,5 +163,29 @@ TEST_F(Points, OfOurOwnSnapshotsCarryTheirUnits) {
     expect_refused({"points", written("half.hdf", damaged)}, "half.hdf");
 }
 
+TEST_F(Points, OfASlabThatHasBurntAreJudgedFromItsSurface) {
+    std::vector<std::string> command{"judge",  "slab",
+                                     "--set",  "model=thermal",
+                                     "--set",  "depth=480 um",
+                                     "--set",  "heat_of_reaction=0 J/kg",
+                                     "--json", "-"};
+    for (const int rows : {32, 64, 128}) {
+        const auto folder = out_ / std::to_string(rows);
+        const Finished burnt = crawford(
+            {"burn", scenes + "slab.toml", "--set", "physics.mechanics=false", "--set",
+             "physics.reference_map=false", "--set", fmt::format("domain.ny={}", rows), "--set",
+             "time.end=0.3 s", "--set", "output.snapshots_every=0.3 s", "--out", folder.string()});
+        ASSERT_EQ(burnt.status, 0) << burnt.output;
+        command.push_back(fmt::format("{}={}", rows, (folder / "slab_015000.hdf").string()));
+    }
+    expect_refused(command, "y must be from");
+    command.emplace_back("--from-surface");
+    const Finished run = crawford(command);
+    ASSERT_EQ(run.status, 0) << run.output;
+    const auto gate = nlohmann::json::parse(run.output).at("gates").at(0);
+    EXPECT_EQ(gate.at("quantity"), "temperature");
+    EXPECT_NEAR(gate.at("fit").get<double>(), 2.0, 0.05);
+}
+
 }  // namespace
 }  // namespace crawford
