@@ -12,6 +12,7 @@
 #include "base/nearest_name.hpp"
 #include "program/accuracy.hpp"
 #include "program/chosen_grids.hpp"
+#include "program/command_options.hpp"
 #include "program/ensemble_commands.hpp"
 #include "program/help.hpp"
 #include "program/outside_commands.hpp"
@@ -216,23 +217,11 @@ struct Parser {
             ->allow_extra_args(false);
     }
 
-    /// An empty name is what an unset variable leaves of a path: never the usual place.
-    static CLI::Option* refuse_empty(CLI::Option* option) {
-        return option->check([](const std::string& path) {
-            return path.empty() ? std::string("is empty; name a path or leave it out")
-                                : std::string();
-        });
-    }
-
     static CLI::Option* add_out(CLI::App* command, std::filesystem::path& out, const char* usual) {
         return refuse_empty(
                    command->add_option("--out", out,
                                        fmt::format("Directory for the results, else {}", usual)))
             ->type_name("DIR");
-    }
-
-    static void add_footer(CLI::App* command, const std::string& examples) {
-        command->footer(examples + '\n' + help::exit_codes);
     }
 
     static void add_threads(CLI::App* command, std::optional<unsigned>& threads) {

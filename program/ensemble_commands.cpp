@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/command_options.hpp"
 #include "program/ensemble_options.hpp"
-#include "program/help.hpp"
 
 namespace crawford {
 
@@ -30,17 +30,6 @@ listed with their reason. Writes points.csv, burns.csv, ensemble.json, ensemble.
 Examples:
   crawford gather out/ensemble/burns --out out/ensemble
   crawford gather out/ensemble/burns --out out/half --interval "0.5 %" --after "10 ms")";
-
-/// An empty name is what an unset variable leaves of a path.
-CLI::Option* refuse_empty(CLI::Option* option) {
-    return option->check([](const std::string& path) {
-        return path.empty() ? std::string("is empty; name a path or leave it out") : std::string();
-    });
-}
-
-void add_footer(CLI::App* command, const std::string& examples) {
-    command->footer(examples + '\n' + help::exit_codes);
-}
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "program/help.hpp"
+#include "program/command_options.hpp"
 #include "program/outside_help.hpp"
 #include "program/outside_options.hpp"
 #include "program/points.hpp"
@@ -13,20 +13,9 @@ namespace crawford {
 
 namespace {
 
-/// An empty name is what an unset variable leaves of a path.
-CLI::Option* refuse_empty(CLI::Option* option) {
-    return option->check([](const std::string& path) {
-        return path.empty() ? std::string("is empty; name a file or leave it out") : std::string();
-    });
-}
-
 void add_json(CLI::App* command, std::optional<std::filesystem::path>& file) {
     refuse_empty(command->add_option("--json", file, "Write JSON; - prints it, and nothing else"))
         ->type_name("FILE");
-}
-
-void add_footer(CLI::App* command, const std::string& examples) {
-    command->footer(examples + '\n' + help::exit_codes);
 }
 
 }  // namespace
@@ -35,9 +24,9 @@ struct OutsideCommands::Commands {
     OrderOptions order;
     TruthOptions truth;
     JudgeOptions judge;
+    PointsOptions points;
     CLI::App* order_command = nullptr;
     CLI::App* truth_command = nullptr;
-    PointsOptions points;
     CLI::App* judge_command = nullptr;
     CLI::App* points_command = nullptr;
 
