@@ -216,7 +216,8 @@ double best_within(double seconds, const std::vector<Point>& points, const std::
     return best;
 }
 
-/// What a user asks first: how fast for 1 % and 0.1 %, and what ten times faster costs.
+/// What a user asks first: how fast for 1 % and 0.1 %, what ten times faster costs, and what each kind of
+/// physics does.
 void find(Outcome& outcome, const Subject& subject, const std::vector<Point>& points,
           const Truth& truth) {
     const auto add = [&](const std::string& what, double value, const std::string& unit) {
@@ -241,6 +242,14 @@ void find(Outcome& outcome, const Subject& subject, const std::vector<Point>& po
     if (const auto band = truth.uncertainty.find(quantity::regression_rate);
         band != truth.uncertainty.end())
         add("V of the truth known to", 100.0 * band->second, "%");
+    add("as it is, memory", double(usual->record.cost.peak_memory_bytes) / 1e6, "MB");
+    for (const Point& point : points) {
+        const std::string& knob = point.trial.knob;
+        if (!own(point) || (knob != "physics" && knob != "reference map")) continue;
+        const std::string without = "physics: with " + words_of(point.trial);
+        add(without, point.record.cost.cpu_seconds, "s");
+        add(without + ", memory", double(point.record.cost.peak_memory_bytes) / 1e6, "MB");
+    }
 }
 
 Outcome draw(const Request& request) {
