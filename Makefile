@@ -10,6 +10,8 @@ PACKAGES := build-essential cmake ninja-build \
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libudunits2-dev libpugixml-dev zlib1g-dev \
   libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox
 TOOLS := clang-format clang-tidy
+ENSEMBLE_PACKAGES := snakemake
+SLURM_PACKAGES := munge slurmctld slurmd slurm-client
 PYTHON_PACKAGES := python3-dev pybind11-dev python3-numpy python3-h5py python3-pytest
 
 SOURCES = $(shell git ls-files --cached --others --exclude-standard -- '*.cpp' '*.hpp')
@@ -47,7 +49,7 @@ define tidy_database
 	  > build/tidy/compile_commands.json
 endef
 
-.PHONY: help deps tools python test-python program build test verify mutants figures ledger extremes bench format check-format tidy tidy-changed clean
+.PHONY: help deps tools python test-python program build test verify mutants figures ledger extremes ensemble ensemble-test ensemble-slurm bench format check-format tidy tidy-changed clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
@@ -59,6 +61,8 @@ help:
 	@echo '              $(OUT)/figures/index.html (FIDELITY=draft|paper|fine, now $(FIDELITY)). What was cut off goes on'
 	@echo 'make ledger   settle the ledger anew: readings, refinements, other packs (hours)'
 	@echo 'make extremes maps of where answers stand, far from the paper: $(OUT)/figures/extremes.html'
+	@echo 'make ensemble burns of many packs, gathered to $(OUT)/ensemble/ensemble.html (ENSEMBLE=workflow/example.yaml);'
+	@echo '              ensemble-test kills one and looks at its tables, ensemble-slurm tries a cluster (as root)'
 	@echo 'make python   the Python module, in build/python (PYTHONPATH=build/python python3 -c "import crawford")'
 	@echo 'make test-python  the tests of it, and the examples for other codes'
 	@echo 'make bench    how fast the parts are'
@@ -116,6 +120,24 @@ extremes: program
 	@build/crawford run extremes --fidelity $(FIDELITY) --out $(OUT)
 	@if grep -q '"class": "wrong"' $(OUT)/extremes.json; then \
 	  echo 'make extremes: answers are wrong without a word; see $(OUT)/figures/extremes.html'; exit 1; fi
+
+ENSEMBLE ?= workflow/example.yaml
+# How often ensemble-test kills, and what.
+KILLS ?= 1
+KILLED ?= workflow/twenty.yaml
+
+ensemble: program
+	$(call install,$(ENSEMBLE_PACKAGES))
+	@snakemake --snakefile workflow/Snakefile --profile workflow/profiles/local --configfile $(ENSEMBLE) \
+	  --config "out=$(OUT)/ensemble"
+
+ensemble-test: program
+	$(call install,$(ENSEMBLE_PACKAGES))
+	@workflow/try_kills $(KILLED) "$(OUT)/ensemble-test" $(KILLS)
+
+ensemble-slurm: program
+	$(call install,$(ENSEMBLE_PACKAGES) $(SLURM_PACKAGES))
+	@workflow/try_slurm workflow/twenty.yaml "$(OUT)/ensemble-slurm"
 
 bench: program
 	@cmake --build --preset release --target bench bench_with_regions --parallel $(JOBS)

@@ -26,4 +26,12 @@ FileLock::~FileLock() {
     ::close(file_);
 }
 
+bool FileLock::is_held(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return false;
+    const bool is_held = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(file);
+    return is_held;
+}
+
 }  // namespace crawford

@@ -17,6 +17,9 @@ public:
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
+    /// Whether somebody holds it. Makes no file.
+    static bool is_held(const std::filesystem::path& path);
+
 private:
     int file_;
 };

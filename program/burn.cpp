@@ -17,6 +17,7 @@
 #include "program/check.hpp"
 #include "program/commands.hpp"
 #include "program/interrupt.hpp"
+#include "program/left_off.hpp"
 #include "program/typed_scene.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/guards/predicted.hpp"
@@ -117,19 +118,30 @@ Reduction reduction_of(const Scene& scene, const BurnSceneOptions& options) {
 
 }  // namespace
 
-int burn(const BurnSceneOptions& options, const CommandLine& command) {
+int burn(const BurnSceneOptions& asked, const CommandLine& command) {
+    BurnSceneOptions options = asked;
     const auto preset = wanted_preset(options);
     std::vector<std::string> chosen;
     const Scene scene = preset ? scene_at(options, *preset, options.quiet ? nullptr : &chosen)
                                : typed_scene(options.scene, options.set);
     for (const std::string& line : chosen) std::cerr << "crawford: " << line << '\n';
     if (options.check) return check(scene, options.json);
-    const Reduction reduction = reduction_of(scene, options);
     const std::string name = name_of_scene(options.scene);
     refuse_other_encodings(name);
     const std::filesystem::path folder =
         options.out.empty() ? std::filesystem::path("out") / name : options.out;
     BurnFolder owned(folder);
+    if (options.resume) {
+        remove_halves(folder);
+        const LeftOff earlier =
+            left_off(folder, name, scene, {to_toml(scene), to_toml(reduced(scene).scene)});
+        if (earlier.is_done) {
+            std::cout << fmt::format("done before, by the same solver, in {}\n", folder.string());
+            return exit_code::done;
+        }
+        options.restart = earlier.checkpoint;
+    }
+    const Reduction reduction = reduction_of(scene, options);
     refuse_results_of_others(folder, {name, options.scene, to_toml(scene), !options.out.empty()},
                              options.restart.has_value());
     refuse(predicted(reduction.scene));  // before anything of an earlier run is removed

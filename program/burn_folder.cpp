@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::seconds between_beats{3};
 /// A step takes seconds and a shared disk may hang for a while: ten times both.
 constexpr std::chrono::minutes silence_of_the_dead{2};
+constexpr auto owner_file = ".owner";
 constexpr std::string_view history_ending = "_history.csv";
 
 struct Owner {
@@ -116,7 +117,7 @@ bool is_of_name(const std::string& file, const std::string& name) {
 }  // namespace
 
 BurnFolder::BurnFolder(const fs::path& folder)
-    : file_(folder / ".owner"), is_new_(!fs::exists(folder)) {
+    : file_(folder / owner_file), is_new_(!fs::exists(folder)) {
     prepare_directory(folder);
     while (!make_exclusively(file_)) {
         const auto owner = read_owner(file_);
@@ -141,6 +142,11 @@ void BurnFolder::beat() {
     last_beat_ = now;
     std::error_code gone;
     fs::last_write_time(file_, fs::file_time_type::clock::now(), gone);
+}
+
+bool is_held(const fs::path& folder) {
+    const fs::path file = folder / owner_file;
+    return fs::exists(file) && is_alive(read_owner(file), file);
 }
 
 void refuse_results_of_others(const fs::path& folder, const Burning& burning, bool goes_on) {

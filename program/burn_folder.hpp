@@ -29,6 +29,9 @@ private:
     std::chrono::steady_clock::time_point last_beat_ = std::chrono::steady_clock::now();
 };
 
+/// Whether a run holds the folder now, as far as can be seen from here.
+bool is_held(const std::filesystem::path& folder);
+
 /// What a run is to put into a folder.
 struct Burning {
     std::string name;             ///< what its files' names begin with

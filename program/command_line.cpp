@@ -12,6 +12,7 @@
 #include "base/nearest_name.hpp"
 #include "program/accuracy.hpp"
 #include "program/chosen_grids.hpp"
+#include "program/ensemble_commands.hpp"
 #include "program/help.hpp"
 #include "program/outside_commands.hpp"
 
@@ -38,6 +39,7 @@ struct Parser {
     CLI::App* burn_command = nullptr;
     CLI::App* pack_command = nullptr;
     std::optional<OutsideCommands> outside;
+    std::optional<EnsembleCommands> ensemble;
 
     Parser() {
         app.set_version_flag("--version",
@@ -55,6 +57,7 @@ struct Parser {
         add_burn();
         add_pack();
         outside.emplace(app);
+        ensemble.emplace(app);
     }
 
     void add_list() {
@@ -162,9 +165,14 @@ struct Parser {
             ->required();
         add_set(burn_command, burn.set, "surface.heat_flux=\"190 cal/(s cm2)\"");
         add_out(burn_command, burn.out, "out/<name of the scene>");
-        refuse_empty(burn_command->add_option("--restart", burn.restart,
-                                              "Go on from a checkpoint of this scene"))
-            ->type_name("FILE");
+        auto* const restart =
+            refuse_empty(burn_command->add_option("--restart", burn.restart,
+                                                  "Go on from a checkpoint of this scene"))
+                ->type_name("FILE");
+        burn_command
+            ->add_flag("--resume", burn.resume,
+                       "Go on from what lies in DIR: its last checkpoint, or nothing; if done, end")
+            ->excludes(restart);
         auto* const preset =
             burn_command->add_option("--preset", burn.preset, "Choose grid and steps: see below")
                 ->type_name("NAME");
@@ -265,14 +273,14 @@ std::vector<std::string> command_names(const CLI::App& app) {
     const CLI::App& command = parser.named();
     if (&command == &parser.app)
         throw InputError(
-            "a command is missing: list, run, ledger, verify, report, burn, pack, order or truth; "
-            "see "
-            "crawford --help");
+            "a command is missing: list, run, ledger, verify, report, burn, pack, order, truth, "
+            "judge, runs or gather; see crawford --help");
     throw InputError(fmt::format("{}; see crawford {} --help", error.what(), command.get_name()));
 }
 
 Action action_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) {
     if (auto action = parser->outside->action(arguments)) return action;
+    if (auto action = parser->ensemble->action(arguments)) return action;
     if (parser->list_command->parsed()) return [parser] { return list(parser->list); };
     if (parser->report_command->parsed()) return [parser] { return report(parser->report); };
     if (parser->run_command->parsed())

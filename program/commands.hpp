@@ -62,6 +62,7 @@ struct BurnSceneOptions {
     std::vector<std::string> set;  ///< "dotted.key=value"
     std::filesystem::path out;     ///< out/<name of the scene> if empty
     std::optional<std::filesystem::path> restart;
+    bool resume = false;   ///< from what an earlier run has left in the folder, whatever that is
     std::string preset;    ///< a name; empty if none is asked for
     std::string accuracy;  ///< of V, "1 %"; empty likewise
     bool timing = false;

@@ -130,13 +130,16 @@ Guard ignition(const Scene& scene, const Grid& grid, const Material& m, const St
     constexpr double of_a_step = 1.0, of_a_row = 0.08;
     const double height = lowest_row(grid);
     const double step = scene.time.accuracy ? 0.0 : of_a_step * scene.time.step;
-    guard.value = (step + of_a_row * height * height / m.diffusivity()) / burning;
+    const double of_rows = of_a_row * height * height / m.diffusivity();
+    guard.value = (step + of_rows) / burning;
     if (guard.value <= wrong) return guard;
     guard.beyond = Beyond::remark;
     guard.text = fmt::format(
         "of what has burnt at time.end, for {} begins to burn at {:.2g} ms in steps and rows that "
-        "are coarse for so short a burn; reduce time.step, raise domain.ny or burn longer",
+        "are coarse for so short a burn; raise domain.ny or burn longer",
         m.name, 1e3 * start);
+    const double longest = (wrong * burning - of_rows) / of_a_step;
+    if (step > 0.0 && longest > 0.0) guard.longest_step = longest;
     return guard;
 }
 
@@ -146,14 +149,13 @@ Guard predicted_front_crossing(const Scene& scene, const Grid& grid, const Mater
     const double speed = front_speed(slab.burn_rate, sensitivity(scene, material, slab), steep);
     Guard guard =
         front_crossing(speed * scene.time.step / narrowest_column(grid), scene.time.scheme);
+    if (guard.beyond == Beyond::nothing) return guard;
+    guard.longest_step = scene.time.step * *guard.limit / guard.value;
+    guard.text = fmt::format(
+        "waves of the burning surface of {} would run too far in a step, and grow", material.name);
     constexpr double beyond_doubt = 1.5;
     const bool hangs_on_t = scene.physics.regression == Regression::pyrolysis;
-    if (guard.value <= beyond_doubt * *guard.limit || !hangs_on_t) return guard;
-    guard.beyond = Beyond::refusal;
-    guard.text = fmt::format(
-        "waves of the burning surface of {} would run too far in a step, and grow; reduce "
-        "time.step to {:g} us or less",
-        material.name, rounded_down(1e6 * scene.time.step * *guard.limit / guard.value));
+    if (guard.value > beyond_doubt * *guard.limit && hangs_on_t) guard.beyond = Beyond::refusal;
     return guard;
 }
 

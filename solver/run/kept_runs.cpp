@@ -12,7 +12,6 @@
 
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
-#include "base/digest.hpp"
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
 #include "solver/files/checkpoint.hpp"
@@ -150,16 +149,7 @@ Snapshot KeptRun::at(double wanted) const {
     return snapshot_of(scene, file);
 }
 
-namespace {
-
-/// What tells the runs of a place apart, short enough for a file name.
-std::string short_digest(const Scene& scene) {
-    return digest(identity_of(scene)).substr(0, 8);
-}
-
-}  // namespace
-
-/// "ap_binder_sandwich_64x96_20us_1a2b3c4d": to be read by people, told apart by the digest.
+/// "ap_binder_sandwich_64x96_20us_<key>": to be read by people, told apart by the key.
 fs::path KeptRuns::directory_of(const Scene& scene) const {
     std::string name;
     for (const char c : run_title(scene)) {
@@ -168,7 +158,7 @@ fs::path KeptRuns::directory_of(const Scene& scene) const {
         else if (!name.empty() && name.back() != '_')
             name += '_';
     }
-    const std::string known_by = short_digest(scene);
+    const std::string known_by = key_of(scene);
     // A title is no part of the identity: a run that lies there under another one is taken.
     if (fs::exists(place_))
         for (const auto& entry : fs::directory_iterator(place_))
@@ -180,7 +170,7 @@ fs::path KeptRuns::directory_of(const Scene& scene) const {
 std::shared_ptr<const KeptRun> KeptRuns::get(const Scene& scene,
                                              const std::function<void(double)>& progress) const {
     prepare_directory(place_);
-    const FileLock lock(place_ / (short_digest(scene) + ".lock"));
+    const FileLock lock(place_ / (key_of(scene) + ".lock"));
     const fs::path directory = directory_of(scene);
     const auto found = find(directory, scene);
     if (!found || !found->serves(scene)) make(scene, found, directory, progress);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/digest.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/scene/write_scene.hpp"
 
@@ -48,6 +49,10 @@ std::string identity_of(const Scene& scene) {
     bare.title.clear();
     bare.output = {};
     return to_toml(bare);
+}
+
+std::string key_of(const Scene& scene) {
+    return digest(identity_of(scene));
 }
 
 bool covers(const Output& kept, const Output& wanted, double step) {

@@ -14,6 +14,9 @@ namespace crawford {
 /// the same order and so has the same bits.)
 std::string identity_of(const Scene& scene);
 
+/// A digest of identity_of(scene), in full: the name of a run among any number of them.
+std::string key_of(const Scene& scene);
+
 /// Whether what a run with the output `kept` has written holds all that `wanted` asks for: every
 /// time of the one is a time of the other.
 /// \param step of time, in which intervals are counted [s]

@@ -30,7 +30,10 @@ KnownProblem of(const std::string& kind, const std::string& entry, const std::st
                 double order, const std::vector<int>& grids, const std::vector<Wanted>& wanted) {
     return {kind, name, order, grids, [=](int grid) {
                 const reports::Study study = study_of(entry, name);
-                const reports::Measurement found = study.measure()(study.setting(grid));
+                reports::Record record{
+                    .experiment = name, .setting = study.setting(grid), .found = {}};
+                study.run()(record);
+                const reports::Measurement& found = record.found.value();
                 std::vector<KnownValue> values;
                 for (const Wanted& w : wanted)
                     values.push_back(

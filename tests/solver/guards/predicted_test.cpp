@@ -64,7 +64,12 @@ TEST(Predicted, AShortBurnInFewStepsIsSpokenOf) {
     fine.domain.ny = 192;
     fine.time.step = 5e-6;
     EXPECT_GT(std::abs(burnt(scene) / burnt(fine) - 1.0), 0.02);
-    EXPECT_EQ(named(predicted(scene), "ignition").beyond, Beyond::remark);
+    const Guard ignition = named(predicted(scene), "ignition");
+    EXPECT_EQ(ignition.beyond, Beyond::remark);
+    EXPECT_THAT(ignition.text, HasSubstr("reduce time.step to"));
+    Scene advised = scene;
+    advised.time.step = 0.99 * ignition.longest_step.value();
+    EXPECT_EQ(named(predicted(advised), "ignition").beyond, Beyond::nothing);
 
     scene.time.end = fine.time.end = 40e-3;
     EXPECT_LT(std::abs(burnt(scene) / burnt(fine) - 1.0), 0.005);

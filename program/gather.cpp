@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <set>
+
+#include "base/atomic_file.hpp"
+#include "base/build_info.hpp"
+#include "base/errors.hpp"
+#include "program/commands.hpp"
+#include "program/ensemble_burn.hpp"
+#include "program/ensemble_options.hpp"
+#include "program/interrupt.hpp"
+#include "reports/ensemble_figure.hpp"
+#include "reports/ensemble_json.hpp"
+#include "reports/page/ensemble.hpp"
+#include "solver/scene/units.hpp"
+
+namespace crawford {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "1 %" or 0.01.
+double part(const char* option, const std::string& text) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const std::string unit(end, text.data() + text.size());
+    const bool is_percent = unit == "%" || unit == " %";
+    if (error != std::errc() || !(unit.empty() || is_percent) || !(number > 0.0) ||
+        !std::isfinite(number))
+        throw InputError(
+            fmt::format("{} = {}; give a part above 0, as \"1 %\" or 0.01", option, text));
+    return is_percent ? number / 100.0 : number;
+}
+
+reports::EnsembleDemand demand_of(const GatherOptions& options) {
+    const reports::EnsembleDemand demand{.interval = part("--interval", options.interval),
+                                         .confidence = part("--confidence", options.confidence)};
+    if (demand.confidence >= 1.0)
+        throw InputError(fmt::format("--confidence = {} must be below 100 %", options.confidence));
+    return demand;
+}
+
+std::optional<double> after_of(const GatherOptions& options) {
+    if (options.after.empty()) return {};
+    try {
+        const double after = read_quantity(options.after, "s");
+        if (after >= 0.0) return after;
+    } catch (const InputError& problem) {
+        throw InputError(fmt::format("--after = \"{}\" {}", options.after, problem.what()));
+    }
+    throw InputError(
+        fmt::format("--after = \"{}\" is before the start; give 0 s or later", options.after));
+}
+
+std::vector<FoundRun> found_in(const std::vector<fs::path>& folders) {
+    std::vector<FoundRun> all;
+    for (const fs::path& folder : folders)
+        for (FoundRun& run : found_runs(folder)) all.push_back(std::move(run));
+    if (all.empty())
+        throw InputError(
+            fmt::format("{} has no burns; name a folder that crawford burn has written below",
+                        folders.front().string()));
+    return all;
+}
+
+/// A manifest that cannot be read has no place among the points: which, it does not say.
+void refuse_unreadable(const std::vector<FoundRun>& runs) {
+    const auto bad = std::ranges::find(runs, RunState::unreadable, &FoundRun::state);
+    if (bad == runs.end()) return;
+    throw InputError(
+        fmt::format("{}: {}; burn it anew, or move it away", bad->folder.string(), bad->reason));
+}
+
+std::vector<std::string> names_in(const fs::path& out, const std::vector<fs::path>& files) {
+    std::vector<std::string> names;
+    for (const fs::path& file : files) names.push_back(fs::relative(file, out).generic_string());
+    return names;
+}
+
+std::vector<std::string> solvers_of(const std::vector<FoundRun>& runs) {
+    std::set<std::string> found;
+    for (const FoundRun& run : runs) found.insert(run.solver_fingerprint);
+    return {found.begin(), found.end()};
+}
+
+/// Each kind once, with how many have it and what is said of one.
+std::vector<std::string> remarks_of(const std::vector<FoundRun>& runs) {
+    std::map<std::string, std::pair<long, std::string>> kinds;
+    for (const FoundRun& run : runs)
+        for (const auto& [name, text] : run.remarks) {
+            auto& [count, example] = kinds[name];
+            ++count;
+            if (example.empty()) example = text;
+        }
+    std::vector<std::string> remarks;
+    for (const auto& [name, kind] : kinds)
+        remarks.push_back(fmt::format("{}, of {} burns: {}", name, kind.first, kind.second));
+    return remarks;
+}
+
+/// "0.41 +- 0.02 cm/s (95 %), standard deviation 0.01, 4 of 4 packs done; for 1 %: 33 packs"
+std::string in_words(const reports::EnsemblePoint& point, const reports::EnsembleDemand& demand) {
+    const reports::Spread& v = point.spreads.front();
+    std::string done = fmt::format("{} of {} packs done", v.count, point.burns);
+    if (v.count == 0) return "not known, " + done;
+    if (v.count == 1) return fmt::format("{:.5g} cm/s, {}: too few for an interval", v.mean, done);
+    return fmt::format(
+        "{:.5g} +- {:.2g} cm/s ({:g} %), standard deviation {:.2g}, {}; for {:g} %: {}", v.mean,
+        v.half_width, 100.0 * demand.confidence, v.standard_deviation, done,
+        100.0 * demand.interval,
+        point.needed.front() ? fmt::format("{} packs", *point.needed.front()) : "not known");
+}
+
+void tell(const reports::Ensemble& ensemble, const fs::path& out) {
+    for (const auto& point : ensemble.points) {
+        const auto& c = point.conditions;
+        std::cout << fmt::format("area fraction {:.4g}, {:g} MPa, {}, {} x {}: V = {}\n",
+                                 c.area_fraction, 1e-6 * c.pressure, c.readings, c.columns, c.rows,
+                                 in_words(point, ensemble.demand));
+    }
+    std::cout << fmt::format("{} and points.csv, burns.csv, ensemble.json beside it\n",
+                             (out / "ensemble.html").string());
+}
+
+}  // namespace
+
+int gather(const GatherOptions& options, const CommandLine& command) {
+    const auto demand = demand_of(options);
+    const auto after = after_of(options);
+    const auto runs = found_in(options.folders);
+    refuse_unreadable(runs);
+    std::vector<reports::EnsembleBurn> burns;
+    for (const FoundRun& run : runs) burns.push_back(ensemble_burn(run, after));
+    const auto ensemble = reports::gather(std::move(burns), demand);
+
+    const fs::path& out = options.out;
+    prepare_directory(out);
+    write_file(out / "points.csv", reports::points_csv(ensemble));
+    write_file(out / "burns.csv", reports::burns_csv(ensemble));
+    write_file(out / "ensemble.json", reports::ensemble_json(ensemble));
+    const auto pictures = reports::draw_ensemble(ensemble, out, revision());
+    write_file(out / "ensemble.html",
+               reports::page::ensemble_page(ensemble,
+                                            {.title = options.title,
+                                             .pictures = names_in(out, pictures),
+                                             .tables = {"points.csv", "burns.csv", "ensemble.json"},
+                                             .command = typed(command),
+                                             .revision = revision(),
+                                             .solvers = solvers_of(runs),
+                                             .remarks = remarks_of(runs)}));
+    tell(ensemble, out);
+    return exit_code::done;
+}
+
+}  // namespace crawford
