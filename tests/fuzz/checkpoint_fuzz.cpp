@@ -1,6 +1,5 @@
 /// Checkpoints.
 #include "solver/files/checkpoint.hpp"
-
 #include "tests/fuzz/contract.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -1,10 +1,9 @@
 /// VTKHDF files that HDF5 can read and that hold any numbers in arrays of any size: what Crawford makes of them. What
 /// HDF5 makes of a broken file is looked at through the program (program_fuzz.cpp).
-#include "program/vtk/vtkhdf.hpp"
-
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include "program/vtk/mesh_table.hpp"
+#include "program/vtk/vtkhdf.hpp"
 #include "solver/files/hdf5_file.hpp"
 #include "tests/fuzz/contract.hpp"
 
