@@ -134,7 +134,7 @@ TEST_F(VerificationFile, SaysWhatIsWrongWithIt) {
     const auto message = [&] {
         try {
             read_verification(file_);
-        } catch (const std::runtime_error& problem) {
+        } catch (const InputError& problem) {
             return std::string(problem.what());
         }
         return std::string("read");
