@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/errors.hpp"
 #include "reports/coverage.hpp"
 #include "reports/study.hpp"
 
