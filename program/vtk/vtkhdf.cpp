@@ -16,7 +16,7 @@ std::vector<Field> fields(const Hdf5File& file, const std::string& group) {
     std::vector<Field> all;
     if (!file.contains(group)) return all;
     for (const std::string& name : file.names(group)) {
-        const std::string path = group + '/' + name;
+        const std::string path = fmt::format("{}/{}", group, name);
         const auto shape = file.shape(path);
         Field field{
             .name = name,

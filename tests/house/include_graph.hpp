@@ -24,7 +24,7 @@ struct Include {
 
 /// What may be.
 struct Rules {
-    /// Top folders, each with the folders that it may include.
+    /// Top folders, and folders of them that may more, each with the folders that it may include.
     std::map<std::string, Names> may_know;
     /// Folders of solver/, lowest first; a folder may include those of lower ranks and itself.
     std::vector<Names> ranks;
@@ -126,7 +126,8 @@ inline std::string wrong_order(const std::string& from, const std::string& to, c
 inline std::string wrong_direction(const Include& include, const Rules& rules) {
     const std::string path = ours(include);
     if (path.empty()) return "";
-    const std::string from = top_of(include.file);
+    const std::string own = folder_of(include.file);
+    const std::string from = rules.may_know.contains(own) ? own : top_of(include.file);
     const std::string to = top_of(path);
     if (!rules.may_know.at(from).contains(to)) return from + "/ may not know " + to + "/";
     return from == "solver" && to == "solver"
