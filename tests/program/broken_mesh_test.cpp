@@ -14,7 +14,6 @@ namespace crawford {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 using Whole = std::vector<std::int64_t>;
 
 /// Two triangles, in VTKHDF's arrays.
