@@ -13,6 +13,9 @@ TOOLS := clang-format clang-tidy
 ENSEMBLE_PACKAGES := snakemake
 SLURM_PACKAGES := munge slurmctld slurmd slurm-client
 PYTHON_PACKAGES := python3-dev pybind11-dev python3-numpy python3-h5py python3-pytest
+FUZZ_PACKAGES := clang-14 llvm-14 libclang-rt-14-dev libomp-14-dev
+SANITIZE_PACKAGES := valgrind
+COVERAGE_PACKAGES := gcovr
 
 SOURCES = $(shell git ls-files --cached --others --exclude-standard -- '*.cpp' '*.hpp')
 
@@ -49,7 +52,10 @@ define tidy_database
 	  > build/tidy/compile_commands.json
 endef
 
-.PHONY: faults faults-short help deps tools python test-python test-freefem program build test verify mutants figures ledger extremes ensemble ensemble-test ensemble-slurm bench format check-format tidy tidy-changed clean
+# How long `make fuzz` stays with each reader.
+SECONDS_EACH ?= 60
+
+.PHONY: fuzz sanitize coverage faults faults-short help deps tools python test-python test-freefem program build test verify mutants figures ledger extremes ensemble ensemble-test ensemble-slurm bench format check-format tidy tidy-changed clean
 
 help:
 	@echo 'make verify   build, then hold the solver against its independent truths (exit 1 if it falls short),'
@@ -68,6 +74,9 @@ help:
 	@echo 'make test-python  the tests of it, and the examples for other codes'
 	@echo 'make test-freefem  FreeFEM solves two sandwiches and is judged'
 	@echo 'make bench    how fast the parts are, and against results/bench.json'
+	@echo 'make fuzz     broken bytes for every reader of files (SECONDS_EACH=600; now $(SECONDS_EACH))'
+	@echo 'make sanitize the tests under sanitizers of memory, arithmetic and threads, a burn under valgrind (an hour)'
+	@echo 'make coverage which lines of solver/ and reference/ the tests run: build/coverage/coverage.html (an hour)'
 	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
 	@echo 'make format   put all sources into the one format; make check-format only looks'
 	@echo 'make tidy     clang-tidy over all sources; make tidy-changed: over what changed of late'
@@ -160,6 +169,21 @@ bench: program
 	@for pair in 1 2 3; do for program in bench bench_with_regions; do \
 	  echo "pack, pair $$pair, $$program:"; \
 	  build/tests/bench/$$program --benchmark_filter=solver_pack/cholmod 2>/dev/null | grep solver_pack; done; done
+
+# Exit 1 if any reader breaks.
+fuzz: program
+	$(call install,$(FUZZ_PACKAGES))
+	@cmake --preset fuzz > /dev/null
+	@cmake --build --preset fuzz --target fuzzers --parallel $(JOBS)
+	@tests/fuzz/run $(SECONDS_EACH)
+
+sanitize: program
+	$(call install,$(SANITIZE_PACKAGES))
+	@JOBS=$(JOBS) tests/sanitize/run
+
+coverage: deps
+	$(call install,$(COVERAGE_PACKAGES))
+	@JOBS=$(JOBS) tests/sanitize/coverage
 
 format: tools
 	@clang-format -i $(SOURCES)

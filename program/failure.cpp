@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <ios>
 #include <new>
+#include <system_error>
 
 #include "base/errors.hpp"
 #include "program/commands.hpp"
@@ -27,9 +28,9 @@ Failure failure_of(const std::exception_ptr& problem) {
     } catch (const std::ios_base::failure& error) {
         return {fmt::format("a file cannot be read or written: {}", error.what()),
                 exit_code::wrong_input};
-    } catch (const std::bad_alloc&) {
-        return {"out of memory; use fewer cells", exit_code::numbers_failed};
     } catch (const std::exception& error) {
+        if (is_out_of_memory(problem))
+            return {"out of memory; use fewer cells", exit_code::numbers_failed};
         return {fmt::format("internal error: {}", error.what()), exit_code::numbers_failed};
     }
 }
@@ -39,6 +40,10 @@ bool is_out_of_memory(const std::exception_ptr& problem) {
         std::rethrow_exception(problem);
     } catch (const std::bad_alloc&) {
         return true;
+    } catch (const std::system_error& error) {
+        // A thread that finds no room for its stack.
+        return error.code() == std::errc::resource_unavailable_try_again ||
+               error.code() == std::errc::not_enough_memory;
     } catch (...) {
         return false;
     }

@@ -103,7 +103,7 @@ Reported reported(const fs::path& out) {
         try {
             return {address,
                     page::entries_of(reports::read_verification(directory / "verify.json"))};
-        } catch (const std::runtime_error&) {
+        } catch (const InputError&) {
             return {};  // crawford report says what is wrong with it
         }
     }
@@ -130,7 +130,7 @@ std::optional<reports::Ledger> ledger(const fs::path& file) {
     if (!fs::exists(file)) return {};
     try {
         return reports::read_ledger(file);
-    } catch (const std::runtime_error& problem) {
+    } catch (const InputError& problem) {
         throw InputError(fmt::format("{}; crawford ledger writes it anew", problem.what()));
     }
 }

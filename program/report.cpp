@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 reports::Verification read(const fs::path& file) {
     try {
         return reports::read_verification(file);
-    } catch (const std::runtime_error& problem) {
+    } catch (const InputError& problem) {
         throw InputError(fmt::format("{}; crawford verify --out {} writes it anew", problem.what(),
                                      file.parent_path().string()));
     }

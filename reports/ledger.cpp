@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/atomic_file.hpp"
+#include "base/errors.hpp"
 #include "reports/json_problem.hpp"
 #include "reports/ledger_json.hpp"
 
@@ -40,15 +41,15 @@ void write(const std::filesystem::path& file, const Ledger& ledger) {
 
 Ledger read_ledger(const std::filesystem::path& file) {
     std::ifstream in(file);
-    if (!in) throw std::runtime_error(fmt::format("{} cannot be read", file.string()));
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError(fmt::format("{} cannot be read", file.string()));
     try {
         const auto document = Json::parse(in);
         return ledger_of(JsonMember(document));
     } catch (const std::runtime_error& problem) {
-        throw std::runtime_error(fmt::format("{}: {}", file.string(), problem.what()));
+        throw InputError(fmt::format("{}: {}", file.string(), problem.what()));
     } catch (const Json::exception& problem) {
-        throw std::runtime_error(
-            fmt::format("{}: {}", file.string(), json_problem(problem.what())));
+        throw InputError(fmt::format("{}: {}", file.string(), json_problem(problem.what())));
     }
 }
 

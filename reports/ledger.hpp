@@ -108,7 +108,7 @@ struct Ledger {
 /// \throws InputError naming the file.
 void write(const std::filesystem::path& file, const Ledger& ledger);
 
-/// \throws std::runtime_error naming the file and what is missing or wrong in it.
+/// \throws InputError naming the file and what is missing or wrong in it.
 Ledger read_ledger(const std::filesystem::path& file);
 
 }  // namespace crawford::reports

@@ -1,6 +1,7 @@
 #include "reports/record.hpp"
 
 #include <chrono>
+#include <new>
 
 #include "base/errors.hpp"
 #include "base/peak_memory.hpp"
@@ -46,6 +47,8 @@ Record record_of(const std::string& experiment, const Setting& setting,
     Record record{.experiment = experiment, .setting = setting, .found = {}};
     try {
         run(record);
+    } catch (const std::bad_alloc&) {
+        throw;  // says nothing of what was run
     } catch (...) {
         record.ending = ending_of(std::current_exception());
     }

@@ -58,7 +58,8 @@ struct Record {
     std::string said = {};  ///< what the solver said of a run whose words are judged
 };
 
-/// Runs `measure` and books what it took and how it ended; throws nothing.
+/// Runs `measure` and books what it took and how it ended.
+/// \throws std::bad_alloc where memory is short: that is no ending of the run
 Record record_of(const std::string& experiment, const Setting& setting,
                  const std::function<Measurement(const Setting&)>& measure);
 

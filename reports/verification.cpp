@@ -85,7 +85,8 @@ void write(const std::filesystem::path& file, const Verification& v) {
 
 Verification read_verification(const std::filesystem::path& file) {
     std::ifstream in(file);
-    if (!in) throw std::runtime_error(fmt::format("{} cannot be read", file.string()));
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError(fmt::format("{} cannot be read", file.string()));
     try {
         Verification v;
         Json document = Json::parse(in);
@@ -98,8 +99,7 @@ Verification read_verification(const std::filesystem::path& file) {
         v.manifest = document.dump();
         return v;
     } catch (const Json::exception& problem) {
-        throw std::runtime_error(
-            fmt::format("{}: {}", file.string(), json_problem(problem.what())));
+        throw InputError(fmt::format("{}: {}", file.string(), json_problem(problem.what())));
     }
 }
 

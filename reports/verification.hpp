@@ -46,7 +46,7 @@ struct Verification {
 /// \throws InputError naming the file.
 void write(const std::filesystem::path& file, const Verification& verification);
 
-/// \throws std::runtime_error naming the file and what is missing or wrong in it.
+/// \throws InputError naming the file and what is missing or wrong in it.
 Verification read_verification(const std::filesystem::path& file);
 
 /// Only the gates, of a file of this or an earlier version.

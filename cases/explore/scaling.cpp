@@ -155,9 +155,10 @@ Line over_grids(const std::string& solver, const std::vector<std::pair<int, int>
     return line;
 }
 
-Line over_contrasts(const std::string& of, double most, int columns, reports::RecordStore& store) {
+Line over_contrasts(const std::string& of, int decades, int columns, reports::RecordStore& store) {
     Line line;
-    for (double contrast = 1.0; contrast <= most; contrast *= 10.0) {
+    for (int decade = 0; decade <= decades; ++decade) {
+        const double contrast = std::pow(10.0, decade);
         const reports::Record record =
             record_of({of, "pcg", columns, 2 * columns, contrast}, store);
         if (!record.ending.is_done()) break;
@@ -182,8 +183,8 @@ Outcome scaling(const Request& request) {
     const Line direct = over_grids("cholmod", grids, longest, store, request);
     const Line iterative = over_grids("pcg", grids, longest, store, request);
     const int columns = is_draft ? 16 : 64;
-    const Line shear = over_contrasts("shear", 1e8, columns, store);
-    const Line bulk = over_contrasts("bulk", 1e5, columns, store);
+    const Line shear = over_contrasts("shear", 8, columns, store);
+    const Line bulk = over_contrasts("bulk", 5, columns, store);
 
     reports::Figure figure("scaling", request.out);
     add(figure, "cholmod", direct);

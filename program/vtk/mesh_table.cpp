@@ -124,10 +124,16 @@ void add_row(std::string& text, const Eigen::Vector2d& place, const std::vector<
 }
 
 void check_sizes(const std::vector<Field>& fields, std::size_t count, const char* of) {
-    for (const Field& field : fields)
+    // Each is a column of the table, also where there are no rows: a broken file asks for any number.
+    constexpr std::size_t most = 1000;
+    for (const Field& field : fields) {
+        if (field.components > most)
+            throw InputError(fmt::format("{} has {} components; at most {} are read", field.name,
+                                         field.components, most));
         if (field.components == 0 || field.values.size() != count * field.components)
             throw InputError(fmt::format("{} has {} numbers for {} {}", field.name,
                                          field.values.size(), count, of));
+    }
 }
 
 }  // namespace

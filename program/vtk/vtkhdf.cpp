@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+
 #include "base/errors.hpp"
 #include "solver/files/hdf5_file.hpp"
 
@@ -13,7 +16,7 @@ std::vector<Field> fields(const Hdf5File& file, const std::string& group) {
     std::vector<Field> all;
     if (!file.contains(group)) return all;
     for (const std::string& name : file.names(group)) {
-        const std::string path = group + '/' + name;
+        const std::string path = fmt::format("{}/{}", group, name);
         const auto shape = file.shape(path);
         Field field{
             .name = name,
@@ -37,30 +40,68 @@ void add_points(Mesh& mesh, const Hdf5File& file) {
         mesh.points.emplace_back(x[k], x[k + 1], x[k + 2]);
 }
 
-/// Connectivity and offsets begin anew in each part.
-void add_cells(Mesh& mesh, const Hdf5File& file) {
-    const auto nodes = sizes(file, "Connectivity"), ends = sizes(file, "Offsets"),
-               types = sizes(file, "Types"), points = sizes(file, "NumberOfPoints"),
-               cells = sizes(file, "NumberOfCells"), ids = sizes(file, "NumberOfConnectivityIds");
-    std::size_t node = 0, end = 0, type = 0;
-    std::int64_t point = 0;
-    if (points.size() != cells.size() || ids.size() != cells.size())
-        throw InputError("its parts are not as many in all that it says of them");
-    for (std::size_t part = 0; part < cells.size(); ++part) {
-        for (std::int64_t k = 0; k < cells[part]; ++k, ++end, ++type) {
-            if (end + 1 >= ends.size() || type >= types.size())
-                throw InputError("it has fewer cells than it says");
-            Cell cell{.type = int(types[type]), .nodes = {}};
-            for (std::int64_t n = ends[end]; n < ends[end + 1]; ++n) {
-                if (n < 0 || node + std::size_t(n) >= nodes.size())
-                    throw InputError("the offsets of its cells lie outside their nodes");
-                cell.nodes.push_back(point + nodes[node + std::size_t(n)]);
+/// What a part of the file says of itself, and where it begins.
+struct Part {
+    std::int64_t points, cells, ids;
+    std::size_t first_point = 0, first_id = 0, first_offset = 0, first_type = 0;
+};
+
+/// Sizes as a broken file may give them: any.
+std::size_t within(std::int64_t size, std::size_t room) {
+    if (size < 0 || std::uint64_t(size) > room)
+        throw InputError("its parts hold more than it has in all");
+    return std::size_t(size);
+}
+
+class Cells {
+public:
+    explicit Cells(const Hdf5File& file)
+        : nodes_(sizes(file, "Connectivity")),
+          ends_(sizes(file, "Offsets")),
+          types_(sizes(file, "Types")) {}
+
+    /// Connectivity and offsets begin anew in each part.
+    void add(Mesh& mesh, Part& part) const {
+        const std::size_t points = within(part.points, mesh.points.size() - part.first_point),
+                          cells = within(part.cells, types_.size() - part.first_type),
+                          ids = within(part.ids, nodes_.size() - part.first_id);
+        // One more offset than cells.
+        within(part.cells, ends_.size() - std::min(ends_.size(), part.first_offset + 1));
+        for (std::size_t k = 0; k < cells; ++k) {
+            const auto from = ends_[part.first_offset + k], to = ends_[part.first_offset + k + 1];
+            if (from < 0 || to < from || std::uint64_t(to) > ids)
+                throw InputError("the offsets of its cells do not rise within their nodes");
+            Cell cell{.type = int(types_[part.first_type + k]), .nodes = {}};
+            for (auto n = from; n < to; ++n) {
+                const auto node = nodes_[part.first_id + std::size_t(n)];
+                if (node < 0 || std::uint64_t(node) >= points)
+                    throw InputError("a cell has a node that there is not");
+                cell.nodes.push_back(std::int64_t(part.first_point) + node);
             }
             mesh.cells.push_back(std::move(cell));
         }
-        ++end;  // one more offset than cells
-        point += points[part];
-        node += std::size_t(ids[part]);
+        part.first_point += points;
+        part.first_id += ids;
+        part.first_type += cells;
+        part.first_offset += cells + 1;
+    }
+
+private:
+    std::vector<std::int64_t> nodes_, ends_, types_;
+};
+
+void add_cells(Mesh& mesh, const Hdf5File& file) {
+    const auto points = sizes(file, "NumberOfPoints"), cells = sizes(file, "NumberOfCells"),
+               ids = sizes(file, "NumberOfConnectivityIds");
+    if (points.size() != cells.size() || ids.size() != cells.size())
+        throw InputError("its parts are not as many in all that it says of them");
+    const Cells all(file);
+    Part part{};
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        part.points = points[k];
+        part.cells = cells[k];
+        part.ids = ids[k];
+        all.add(mesh, part);
     }
 }
 

@@ -205,9 +205,20 @@ Hdf5File::Shape Hdf5File::shape(const std::string& path) const {
     return shape;
 }
 
+void Hdf5File::check_room(hid_t dataset, const std::string& path) const {
+    // What deflate can reach, and numbers that were never written, which take no room.
+    constexpr double densest = 1032.0, unwritten = 1e6;
+    double count = 1.0;
+    for (const hsize_t size : shape(path)) count *= double(size);
+    if (count > unwritten + densest * double(H5Dget_storage_size(dataset)))
+        throw InputError(fmt::format("cannot read {} of {}: it says that it holds more than it can",
+                                     path, path_.string()));
+}
+
 template <class Number>
 std::vector<Number> Hdf5File::read(const std::string& path) const {
     const Hdf5Handle dataset = open_dataset(path);
+    check_room(dataset.id(), path);
     std::vector<Number> numbers(product(shape(path)));
     check(H5Dread(dataset.id(), native_type<Number>(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
                   numbers.data()) >= 0,
@@ -219,6 +230,10 @@ std::string Hdf5File::text_attribute(const std::string& object, const std::strin
     const Hdf5Handle attribute =
         checked(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
                 H5Aclose, object);
+    const Hdf5Handle space = checked(H5Aget_space(attribute.id()), H5Sclose, object);
+    if (H5Sget_simple_extent_npoints(space.id()) != 1)
+        throw InputError(fmt::format("cannot read {} of {}: its attribute {} is not one text",
+                                     object, path_.string(), name));
     const Hdf5Handle type = text_type();
     char* characters = nullptr;
     check(H5Aread(attribute.id(), type.id(), &characters) >= 0, object);

@@ -88,6 +88,8 @@ private:
     Hdf5Handle checked(hid_t id, Hdf5Handle::Closer closer, const std::string& object) const;
     void check(bool success, const std::string& object) const;
     Hdf5Handle open_dataset(const std::string& path) const;
+    /// A broken shape asks for any amount of memory.
+    void check_room(hid_t dataset, const std::string& path) const;
 
     std::filesystem::path path_;
     const char* purpose_;  ///< "read" or "write"

@@ -2,6 +2,7 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,13 @@ namespace crawford {
 
 namespace {
 
+/// CHOLMOD tells of memory that it does not get by its status alone: the matrix is not to blame.
+template <class Factorisation>
+void refuse_short_memory(Factorisation& factorisation) {
+    if constexpr (requires { factorisation.cholmod(); })
+        if (factorisation.cholmod().status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+}
+
 /// METIS seeds the C library's one generator at each call and draws from it: two analyses at once
 /// would draw from each other's, order the unknowns in another way each time, and a run would not
 /// have the same bits again.
@@ -22,11 +30,13 @@ void analyse(Factorisation& factorisation, const SparseMatrix& lower) {
     static std::mutex one_at_a_time;
     const std::scoped_lock lock(one_at_a_time);
     factorisation.analyzePattern(lower);
+    refuse_short_memory(factorisation);
 }
 
 template <class Factorisation>
 void factorise(Factorisation& factorisation, const SparseMatrix& lower) {
     factorisation.factorize(lower);
+    refuse_short_memory(factorisation);
     if (factorisation.info() != Eigen::Success)
         throw NumericalFailure({.kind = FailureFields::Kind::not_positive_definite,
                                 .module = "linear solver",

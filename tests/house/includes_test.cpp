@@ -34,6 +34,8 @@ Rules rules() {
     rules.may_know["tests"].insert("tests");
     // Burns what a study burns; a program of its own.
     rules.may_know["tests/handed_in"] = {"base", "cases", "tests"};
+    // Programs of their own, which take the readers of files out of any folder.
+    rules.may_know["tests/fuzz"] = {"base", "solver", "reports", "program", "tests"};
     rules.ranks = {{"packing", "linear_solvers", "time_integration"},
                    {"scene"},
                    {"mesh"},

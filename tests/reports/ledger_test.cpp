@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/errors.hpp"
+
 namespace crawford::reports {
 namespace {
 
@@ -91,7 +93,7 @@ protected:
     std::string refusal() const {
         try {
             read_ledger(file_);
-        } catch (const std::runtime_error& problem) {
+        } catch (const InputError& problem) {
             return problem.what();
         }
         return "read";

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/errors.hpp"
 #include "reports/coverage.hpp"
 #include "reports/study.hpp"
 
@@ -134,7 +135,7 @@ TEST_F(VerificationFile, SaysWhatIsWrongWithIt) {
     const auto message = [&] {
         try {
             read_verification(file_);
-        } catch (const std::runtime_error& problem) {
+        } catch (const InputError& problem) {
             return std::string(problem.what());
         }
         return std::string("read");
