@@ -126,7 +126,7 @@ faults: program
 	@nice python3 -B tests/faults/faults.py
 
 faults-short: program
-	@nice python3 -B tests/faults/faults.py --short --only kill --only disk --only checkpoints --only comma --only place
+	@nice python3 -B tests/faults/faults.py --short --only kill --only disk --only checkpoints --only comma --only place --only signals --only two --only clock --only make
 
 figures: program
 	@build/crawford run --all --fidelity $(FIDELITY) --out $(OUT)
