@@ -91,7 +91,7 @@ inline std::string bracketed(const std::string& target) {
 
 /// The file of ours that an include brings in, empty for a library's.
 inline std::string ours(const Include& include) {
-    const std::string path = quoted(include.target);
+    std::string path = quoted(include.target);
     if (path.empty() || path.find('/') != std::string::npos) return path;
     return folder_of(include.file) + '/' + path;
 }

@@ -1,6 +1,7 @@
 // Who may know whom. solver and reference must not share a line of code, or the truth could not
 // disagree with what it judges; reports knows neither. Within solver/ the order is that of a run,
 // from plain data upward, and no folder anywhere is part of a cycle.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -81,7 +82,7 @@ TEST(Includes, AreRead) {
 /// A small tree.
 class IncludesOf : public ::testing::Test {
 protected:
-    ~IncludesOf() override { std::filesystem::remove_all(root_); }
+    void TearDown() override { std::filesystem::remove_all(root_); }
 
     void put(const std::string& file, const std::string& text) const {
         std::filesystem::create_directories((root_ / file).parent_path());
