@@ -116,13 +116,15 @@ bool is_of_name(const std::string& file, const std::string& name) {
 
 }  // namespace
 
-/// What an owner that was killed has left half-written. Who asks for the folder now is let write its name.
+/// What an owner that was killed has left half-written. Who asks for the folder now is let write its name:
+/// what is left of a name goes when it has been silent.
 void remove_halves_of_the_dead(const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string file = entry.path().filename().string();
         std::error_code gone;
-        if (file.starts_with('.') && file.ends_with(".part") && !file.starts_with("..owner"))
-            fs::remove(entry.path(), gone);
+        const bool is_a_name = file.starts_with("..owner") || file.starts_with(".owner.");
+        const bool is_a_half = file.starts_with('.') && file.ends_with(".part");
+        if (is_a_name ? has_been_silent(entry.path()) : is_a_half) fs::remove(entry.path(), gone);
     }
 }
 

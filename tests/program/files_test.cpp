@@ -46,6 +46,22 @@ TEST_F(ProgramFiles, RefusesGridsThatAStudyCannotRunOn) {
     EXPECT_THAT(verify.output, HasSubstr("rows = 16")) << "decimal";
 }
 
+TEST_F(ProgramFiles, ClearsAwayTheNameOfAnOwnerThatWasKilledAsItWroteIt) {
+    fs::create_directories(out_);
+    const auto left = [&](const std::string& name, std::chrono::minutes ago) {
+        std::ofstream(out_ / name) << "half";
+        fs::last_write_time(out_ / name, fs::file_time_type::clock::now() - ago);
+        return out_ / name;
+    };
+    const fs::path silent = left(".owner.host.7", std::chrono::minutes(10));
+    const fs::path half = left("..owner.host.7.8.part", std::chrono::minutes(10));
+    const fs::path new_name = left(".owner.host.9", std::chrono::minutes(0));
+    ASSERT_EQ(crawford(short_burn(out())).status, 0);
+    EXPECT_FALSE(fs::exists(silent));
+    EXPECT_FALSE(fs::exists(half));
+    EXPECT_TRUE(fs::exists(new_name)) << "its owner may be about to take the folder";
+}
+
 TEST_F(ProgramFiles, BurnsASceneThatComesInByAPipe) {
     const Finished piped = run_program(
         {"sh", "-c", "cat \"$1\" | \"$0\" burn - --set time.end=\"60 us\" --quiet --out \"$2\"",
