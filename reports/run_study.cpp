@@ -79,6 +79,7 @@ void make(std::vector<Run*> missing, RecordStore* store, const OnProgress& on_pr
                   [&](const Job& job, double seconds, const std::exception_ptr& problem,
                       const QueueStanding& standing) {
                       if (problem) cannot_keep = problem;
+                      if (!run_of.at(job.name)->record) return;  // memory was short
                       const Record& record = *run_of.at(job.name)->record;
                       if (on_progress)
                           on_progress({record.experiment, record.setting, seconds, standing.ended,

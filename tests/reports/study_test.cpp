@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <mutex>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -85,6 +86,19 @@ TEST(StudyRun, TotalsTheSettingsOfAList) {
     EXPECT_TRUE(results[0].passed) << results[0].failure;
     EXPECT_FALSE(results[1].passed);
     EXPECT_TRUE(results[1].fell_short());
+}
+
+TEST(StudyRun, ThatFindsMemoryShortJudgesNothing) {
+    Study s("short");
+    s.lists("setting", 4)
+        .measure([](int setting) -> Measurement {
+            if (setting == 2) throw std::bad_alloc();
+            return Measurement().value("wrong", 0.0);
+        })
+        .total("wrong", at_most(0), "none");
+    int told = 0;
+    EXPECT_THROW(run(s, {}, [&](const Progress&) { ++told; }), std::bad_alloc);
+    EXPECT_EQ(told, 3) << "what was not run is not told of";
 }
 
 TEST(StudyRun, HasNoTotalWhereOneRunFailed) {
