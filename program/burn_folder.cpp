@@ -43,7 +43,8 @@ std::string host_name() {
     return name.data();
 }
 
-/// Empty if there is no such process, or no /proc.
+/// Empty if there is no such process, or no /proc. One that was killed and that nobody has waited for yet
+/// (state Z) is none: it writes no more.
 std::string beginning_of(long process) {
     std::ifstream file(fmt::format("/proc/{}/stat", process));
     const std::string text(std::istreambuf_iterator<char>(file), {});
@@ -52,7 +53,9 @@ std::string beginning_of(long process) {
     std::istringstream words(text.substr(end_of_name + 1));
     constexpr int fields_before = 19;  // state is the third of proc(5), starttime the 22nd
     std::string word;
-    for (int k = 0; k <= fields_before; ++k) words >> word;
+    words >> word;
+    if (word == "Z" || word == "X") return {};
+    for (int k = 0; k < fields_before; ++k) words >> word;
     return word;
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,29 @@ TEST_F(ProgramFiles, ClearsAwayTheNameOfAnOwnerThatWasKilledAsItWroteIt) {
     EXPECT_FALSE(fs::exists(silent));
     EXPECT_FALSE(fs::exists(half));
     EXPECT_TRUE(fs::exists(new_name)) << "its owner may be about to take the folder";
+}
+
+TEST_F(ProgramFiles, TakesOverFromAProcessThatWasKilledAndNobodyHasWaitedFor) {
+    // The shell goes on as another program, which does not wait for its child.
+    const std::string words =
+        "echo $$ > \"$2.shell\"; \"$0\" burn \"$1\" --set time.end=\"10 s\" --quiet --out \"$2\" & "
+        "echo $! > \"$2.pid\"; "
+        "until [ -e \"$2/slab_history.csv\" ]; do sleep 0.05; done; kill -9 $!; exec sleep 20";
+    std::thread unreaped([&] {
+        run_program(
+            {"timeout", "15", "sh", "-c", words, program_path(), scenes + "slab.toml", out()});
+    });
+    const auto pid_file = out() + ".pid";
+    const Finished zombie = run_program({"sh", "-c",
+                                         "until grep -q Z \"/proc/$(cat \"$0\" 2>/dev/null)/stat\" "
+                                         "2>/dev/null; do sleep 0.05; done",
+                                         pid_file});
+    EXPECT_EQ(zombie.status, 0);
+    const Finished next = crawford(short_burn(out()));
+    EXPECT_EQ(next.status, 0) << next.output;
+    run_program({"sh", "-c", "kill $(cat \"$0\")", out() + ".shell"});
+    unreaped.join();
+    for (const char* file : {".pid", ".shell"}) fs::remove(out() + file);
 }
 
 TEST_F(ProgramFiles, BurnsASceneThatComesInByAPipe) {
