@@ -59,7 +59,7 @@ std::string name_of(const Run& run) {
     return fmt::format("{}: {}", run.task->study.name(), run.task->study.setting(run.grid).text());
 }
 
-void make(std::vector<Run*> missing, RecordStore* store, const OnProgress& on_progress,
+void make(const std::vector<Run*>& missing, RecordStore* store, const OnProgress& on_progress,
           std::optional<unsigned> threads) {
     std::vector<Job> jobs;
     std::map<std::string, const Run*> run_of;
@@ -109,7 +109,7 @@ std::vector<StudyResult> run(const std::vector<Task>& tasks, RecordStore* store,
     for (const auto& own : runs)
         kept.push_back(size_t(
             std::ranges::count_if(own, [](const Run& run) { return run.record.has_value(); })));
-    make(std::move(missing), store, on_progress, threads);
+    make(missing, store, on_progress, threads);
     std::vector<StudyResult> results;
     for (size_t k = 0; k < tasks.size(); ++k) {
         results.push_back(judged(tasks[k], runs[k]));
