@@ -123,9 +123,11 @@ mutants: deps
 	@build/tests/mutants/mutants $(FAULTS)
 
 faults: program
+	$(call install,python3)
 	@nice python3 -B tests/faults/faults.py
 
 faults-short: program
+	$(call install,python3)
 	@nice python3 -B tests/faults/faults.py --short --only kill --only disk --only checkpoints --only comma --only place --only signals --only two --only clock --only make
 
 figures: program

@@ -115,6 +115,16 @@ double csv_number(const std::string& cell, const std::string& place) {
     return number;
 }
 
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string cell = "\"";
+    for (const char c : text) {
+        if (c == '"') cell += c;
+        cell += c == '\n' ? ' ' : c;
+    }
+    return cell + '"';
+}
+
 CsvHeading csv_heading(const std::string& heading) {
     const auto open = heading.find('[');
     if (open == std::string::npos || !heading.ends_with(']')) return {heading, ""};

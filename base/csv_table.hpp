@@ -33,6 +33,10 @@ CsvTable read_csv(const std::filesystem::path& file);
 /// \throws InputError beginning with `place`, if it is none or not finite.
 double csv_number(const std::string& cell, const std::string& place);
 
+/// The cell that read_csv() reads as this text: quoted (RFC 4180) where a comma or a quote stands in it, a line
+/// break turned into a blank.
+std::string csv_cell(const std::string& text);
+
 /// "radius [um]" taken apart; without brackets the unit is empty.
 struct CsvHeading {
     std::string name, unit;

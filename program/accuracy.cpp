@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 
 #include "base/errors.hpp"
 #include "base/source_tree.hpp"
+#include "program/told_part.hpp"
 #include "program/typed_scene.hpp"
 #include "solver/files/history.hpp"
 #include "solver/run/loop.hpp"
@@ -28,24 +28,8 @@ Preset preset_named(const std::string& name) {
     return read_preset(source_path(fmt::format("cases/scenes/presets/{}.toml", name)));
 }
 
-/// 0.01 of "1 %" and of "0.01".
-double share(std::string text) {
-    double scale = 1.0;
-    if (!text.empty() && text.back() == '%') {
-        scale = 0.01;
-        text.pop_back();
-    }
-    while (!text.empty() && text.back() == ' ') text.pop_back();
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty() || error != std::errc() || end != text.data() + text.size() || !(value > 0.0))
-        throw InputError(
-            fmt::format("--accuracy = {}; give a part of V above 0, as \"1 %\" or 0.01", text));
-    return value * scale;
-}
-
 Preset preset_for(const std::string& accuracy) {
-    const double wanted = share(accuracy);
+    const double wanted = told_part("--accuracy", accuracy, "a part of V");
     for (const Preset& preset : presets())
         if (preset.error <= wanted * (1.0 + 1e-12)) return preset;
     throw InputError(fmt::format(

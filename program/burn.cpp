@@ -145,7 +145,6 @@ int burn_and_tell(const BurnSceneOptions& asked, const CommandLine& command, Bur
     end.out = folder;
     BurnFolder owned(folder);
     if (options.resume) {
-        remove_halves(folder);
         const LeftOff earlier =
             left_off(folder, name, scene, {to_toml(scene), to_toml(reduced(scene).scene)});
         if (earlier.is_done) {

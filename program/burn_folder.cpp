@@ -117,8 +117,6 @@ bool is_of_name(const std::string& file, const std::string& name) {
     return is_numbered && (rest.substr(dot) == ".hdf" || rest.substr(dot) == ".h5");
 }
 
-}  // namespace
-
 /// What an owner that was killed has left half-written. Who asks for the folder now is let write its name:
 /// what is left of a name goes when it has been silent.
 void remove_halves_of_the_dead(const fs::path& folder) {
@@ -130,6 +128,8 @@ void remove_halves_of_the_dead(const fs::path& folder) {
         if (is_a_name ? has_been_silent(entry.path()) : is_a_half) fs::remove(entry.path(), gone);
     }
 }
+
+}  // namespace
 
 BurnFolder::BurnFolder(const fs::path& folder)
     : file_(folder / owner_file), is_new_(!fs::exists(folder)) {

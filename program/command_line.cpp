@@ -275,7 +275,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
     if (&command == &parser.app)
         throw InputError(
             "a command is missing: list, run, ledger, verify, report, burn, pack, order, truth, "
-            "judge, runs or gather; see crawford --help");
+            "judge, points, runs or gather; see crawford --help");
     throw InputError(fmt::format("{}; see crawford {} --help", error.what(), command.get_name()));
 }
 

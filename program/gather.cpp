@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <iostream>
 #include <map>
 #include <set>
@@ -14,6 +12,7 @@
 #include "program/ensemble_burn.hpp"
 #include "program/ensemble_options.hpp"
 #include "program/interrupt.hpp"
+#include "program/told_part.hpp"
 #include "reports/ensemble_figure.hpp"
 #include "reports/ensemble_json.hpp"
 #include "reports/page/ensemble.hpp"
@@ -25,22 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "1 %" or 0.01.
-double part(const char* option, const std::string& text) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const std::string unit(end, text.data() + text.size());
-    const bool is_percent = unit == "%" || unit == " %";
-    if (error != std::errc() || !(unit.empty() || is_percent) || !(number > 0.0) ||
-        !std::isfinite(number))
-        throw InputError(
-            fmt::format("{} = {}; give a part above 0, as \"1 %\" or 0.01", option, text));
-    return is_percent ? number / 100.0 : number;
-}
-
 reports::EnsembleDemand demand_of(const GatherOptions& options) {
-    const reports::EnsembleDemand demand{.interval = part("--interval", options.interval),
-                                         .confidence = part("--confidence", options.confidence)};
+    const reports::EnsembleDemand demand{
+        .interval = told_part("--interval", options.interval, "a part"),
+        .confidence = told_part("--confidence", options.confidence, "a part")};
     if (demand.confidence >= 1.0)
         throw InputError(fmt::format("--confidence = {} must be below 100 %", options.confidence));
     return demand;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/csv_table.hpp"
+
 namespace crawford::reports {
 
 namespace {
@@ -55,16 +57,8 @@ std::string number(double value) {
     return std::isnan(value) ? "nan" : fmt::format("{}", value);
 }
 
-/// RFC 4180: what holds a comma or a quote stands in quotes.
 std::string text(const std::string& words) {
-    if (words.empty()) return "-";
-    if (words.find_first_of(",\"\n") == std::string::npos) return words;
-    std::string cell = "\"";
-    for (const char c : words) {
-        if (c == '"') cell += c;
-        cell += c == '\n' ? ' ' : c;
-    }
-    return cell + '"';
+    return words.empty() ? "-" : csv_cell(words);
 }
 
 std::string row(const std::vector<std::string>& cells) {

@@ -156,8 +156,9 @@ CoverageTally coverage_of(const Estimator& estimator, const std::vector<KnownSer
         if (outcomes.empty()) continue;
         ++tally.quantities;
         count(outcomes, tally);
-        shares[series.problem].push_back(share_held(outcomes));
-        sum += share_held(outcomes);
+        const double share = share_held(outcomes);
+        shares[series.problem].push_back(share);
+        sum += share;
         if (outcomes.back().holds()) ++tally.finest_held;
         for (const Outcome& outcome : outcomes)
             if (outcome.answers()) {

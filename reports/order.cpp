@@ -68,21 +68,30 @@ std::vector<double> Convergence::pairwise() const {
     return orders;
 }
 
-double Convergence::fit() const {
-    if (levels_.size() < 2) return nan;
-    const auto n = static_cast<double>(levels_.size());
+double slope_of_logarithms(std::span<const double> x, std::span<const double> y) {
+    if (x.size() < 2) return nan;
+    const auto n = static_cast<double>(x.size());
     double x_mean = 0.0, y_mean = 0.0;
-    for (const auto& level : levels_) {
-        x_mean += std::log(level.h) / n;
-        y_mean += std::log(level.error) / n;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        x_mean += std::log(x[k]) / n;
+        y_mean += std::log(y[k]) / n;
     }
     double xx = 0.0, xy = 0.0;
-    for (const auto& level : levels_) {
-        const double x = std::log(level.h) - x_mean;
-        xx += x * x;
-        xy += x * (std::log(level.error) - y_mean);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const double from_mean = std::log(x[k]) - x_mean;
+        xx += from_mean * from_mean;
+        xy += from_mean * (std::log(y[k]) - y_mean);
     }
     return xy / xx;
+}
+
+double Convergence::fit() const {
+    std::vector<double> h, errors;
+    for (const auto& level : levels_) {
+        h.push_back(level.h);
+        errors.push_back(level.error);
+    }
+    return slope_of_logarithms(h, errors);
 }
 
 Verdict Convergence::verdict(double scatter) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,9 @@ inline constexpr double roundoff = 1e-12;
 /// 3:4:3), so the tolerance of a gate stays the sharper test.
 inline constexpr double default_scatter = 0.2;
 
+/// p of y ~ x^p: slope of the least-squares line of log(y) against log(x); NaN below two points.
+double slope_of_logarithms(std::span<const double> x, std::span<const double> y);
+
 /// Errors of one quantity in one norm over several grids, coarsest first.
 class Convergence {
 public:
@@ -54,8 +58,7 @@ public:
     /// levels.
     std::vector<double> pairwise() const;
 
-    /// Slope of the least-squares line of log(error) against log(h) through all levels; NaN below
-    /// two levels.
+    /// \see slope_of_logarithms, of the errors against h.
     double fit() const;
 
     /// \see Verdict. Meaningful only where defect() is empty.

@@ -79,11 +79,11 @@ void make(const std::vector<Run*>& missing, RecordStore* store, const OnProgress
                   [&](const Job& job, double seconds, const std::exception_ptr& problem,
                       const QueueStanding& standing) {
                       if (problem) cannot_keep = problem;
-                      if (!run_of.at(job.name)->record) return;  // memory was short
-                      const Record& record = *run_of.at(job.name)->record;
-                      if (on_progress)
-                          on_progress({record.experiment, record.setting, seconds, standing.ended,
-                                       standing.total, record.ending.message, standing.to_go});
+                      const auto& record = run_of.at(job.name)->record;
+                      // Where memory was short there is none.
+                      if (record && on_progress)
+                          on_progress({record->experiment, record->setting, seconds, standing.ended,
+                                       standing.total, record->ending.message, standing.to_go});
                   }},
              threads);
     if (cannot_keep) std::rethrow_exception(cannot_keep);

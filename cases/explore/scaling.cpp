@@ -30,6 +30,7 @@
 #include "cases/registry.hpp"
 #include "cases/scene_fingerprint.hpp"
 #include "cases/units.hpp"
+#include "reports/order.hpp"
 #include "reports/record_store.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/scene/read_scene.hpp"
@@ -122,19 +123,15 @@ struct Line {
     }
 };
 
-/// p of y ~ x^p: least squares in logarithms, from `least` on to `most`.
+/// p of y ~ x^p, of the points from x = `least` to `most`.
 double exponent(const Line& line, const std::vector<double>& y, double least, double most) {
-    double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    std::vector<double> within, values;
     for (size_t k = 0; k < line.x.size(); ++k) {
         if (line.x[k] < least || line.x[k] > most) continue;
-        const double a = std::log(line.x[k]), b = std::log(y[k]);
-        n += 1.0;
-        sx += a;
-        sy += b;
-        sxx += a * a;
-        sxy += a * b;
+        within.push_back(line.x[k]);
+        values.push_back(y[k]);
     }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    return reports::slope_of_logarithms(within, values);
 }
 
 Line over_grids(const std::string& solver, const std::vector<std::pair<int, int>>& grids,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/csv_table.hpp"
 #include "base/errors.hpp"
 
 namespace crawford::vtk {
@@ -96,20 +97,12 @@ std::string component_name(const Field& field, std::size_t component) {
     return fmt::format("{}_{}", field.name, component);
 }
 
-/// A cell of the table: quoted where a comma or a quote stands in it.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-    return out + '"';
-}
-
 std::string header(const std::vector<Field>& fields) {
     std::string text = "x [m],y [m]";
     for (const Field& field : fields)
         for (std::size_t k = 0; k < field.components; ++k) {
             const std::string unit = field.unit.empty() ? "" : fmt::format(" [{}]", field.unit);
-            text += ',' + quoted(component_name(field, k) + unit);
+            text += ',' + csv_cell(component_name(field, k) + unit);
         }
     return text + ",area [m2]\n";
 }

@@ -11,15 +11,20 @@
 
 namespace crawford {
 
+namespace {
+
+/// To two digits, towards zero: what advice names must be within the limit.
+double rounded_down(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return std::floor(value / unit) * unit;
+}
+
+}  // namespace
+
 std::string in_words(const Guard& guard) {
     const std::string limit = guard.limit ? fmt::format(", limit {:.4g}", *guard.limit) : "";
     const std::string text = guard.text.empty() ? "" : ": " + guard.text;
     return fmt::format("{} = {:.4g}{}{}", guard.name, guard.value, limit, text);
-}
-
-double rounded_down(double value) {
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-    return std::floor(value / unit) * unit;
 }
 
 void advise_step(Guards& guards) {

@@ -31,9 +31,6 @@ using Guards = std::vector<Guard>;
 /// "NAME = VALUE, limit LIMIT: TEXT"
 std::string in_words(const Guard& guard);
 
-/// To two digits, towards zero: what advice names must be within the limit.
-double rounded_down(double value);
-
 /// Advises the step that all allow which are beyond their limit: who takes the advice of one must
 /// not meet the next.
 void advise_step(Guards& guards);

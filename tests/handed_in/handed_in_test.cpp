@@ -33,20 +33,24 @@ protected:
         return (out_ / name).string();
     }
 
-    /// The gates of the study by quantity and norm.
-    std::map<std::string, Json> verified() const {
+    using Gates = std::map<std::string, Json>;  ///< by quantity and norm
+
+    static void add(Gates& gates, const Json& list) {
+        for (const Json& gate : list)
+            gates[gate.at("quantity").get<std::string>() + ", " + gate.value("norm", "")] = gate;
+    }
+
+    Gates verified() const {
         const std::string study = "slab, AP, beta = 3 alpha K";
         const Finished run = crawford({"verify", study, "--grids", "32,64,128", "--out", out()});
         std::ifstream file(out_ / "verify.json");
-        std::map<std::string, Json> gates;
-        const Json report = Json::parse(file);
-        for (const Json& gate : report.at("gates"))
-            gates[gate.at("quantity").get<std::string>() + ", " + gate.value("norm", "")] = gate;
+        Gates gates;
+        add(gates, Json::parse(file).at("gates"));
         EXPECT_FALSE(gates.empty()) << run.output;
         return gates;
     }
 
-    static std::map<std::string, Json> judged(const std::vector<std::string>& files) {
+    static Gates judged(const std::vector<std::string>& files) {
         std::vector<std::string> command{"judge",    "slab",
                                          "--set",    "depth=1200 um",
                                          "--set",    "heat_of_reaction=0 J/kg",
@@ -55,11 +59,8 @@ protected:
         command.insert(command.end(), files.begin(), files.end());
         const Finished run = crawford(command);
         const Json json = Json::parse(run.output);
-        std::map<std::string, Json> gates;
-        for (const char* list : {"gates", "not_gated"})
-            for (const Json& gate : json.at(list))
-                gates[gate.at("quantity").get<std::string>() + ", " + gate.value("norm", "")] =
-                    gate;
+        Gates gates;
+        for (const char* list : {"gates", "not_gated"}) add(gates, json.at(list));
         return gates;
     }
 };
