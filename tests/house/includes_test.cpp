@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "base/scratch.hpp"
 #include "base/source_tree.hpp"
 #include "include_graph.hpp"
 
@@ -19,6 +19,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 Rules rules() {
     const Names below_cases{"base", "solver", "reference", "reports"};
@@ -75,6 +76,19 @@ TEST(Headers, SayFirstWhatTheyAreFor) {
     }
 }
 
+// Tests run side by side: two that share a file fail now and then.
+TEST(Tests, MakeFilesOnlyInADirectoryThatNobodyElseHas) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_path("tests"))) {
+        if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+        std::ifstream file(entry.path());
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        for (const std::string& shared :
+             {std::string("Temp") + "Dir", std::string("temp_") + "dir"})
+            EXPECT_THAT(text, Not(HasSubstr(shared)))
+                << entry.path() << ": base/scratch.hpp has one";
+    }
+}
+
 TEST(Includes, AreRead) {
     EXPECT_GT(includes_of(source_path("."), rules()).size(), 1000u);
 }
@@ -82,8 +96,6 @@ TEST(Includes, AreRead) {
 /// A small tree.
 class IncludesOf : public ::testing::Test {
 protected:
-    void TearDown() override { std::filesystem::remove_all(root_); }
-
     void put(const std::string& file, const std::string& text) const {
         std::filesystem::create_directories((root_ / file).parent_path());
         std::ofstream(root_ / file) << "#pragma once\n" << text << '\n';
@@ -101,8 +113,8 @@ protected:
     }
 
 private:
-    std::filesystem::path root_ =
-        std::filesystem::temp_directory_path() / ("crawford_includes_" + std::to_string(getpid()));
+    const Scratch scratch_;
+    const std::filesystem::path root_ = scratch_.path() / "tree";
 };
 
 TEST_F(IncludesOf, WhatIsAllowedPass) {

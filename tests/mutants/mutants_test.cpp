@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "base/scratch.hpp"
 #include "fault.hpp"
 #include "ledger.hpp"
 #include "report.hpp"
@@ -19,18 +20,14 @@ using testing::Not;
 /// A directory of its own for each test.
 class Mutants : public testing::Test {
 protected:
-    Mutants() : root_(testing::TempDir() + "mutants." + std::to_string(getpid())) {
-        fs::create_directories(root_);
-    }
-    ~Mutants() override { fs::remove_all(root_); }
-
     fs::path write(const fs::path& file, const std::string& text) const {
         fs::create_directories((root_ / file).parent_path());
         std::ofstream(root_ / file) << text;
         return root_ / file;
     }
 
-    fs::path root_;
+    const Scratch scratch_;
+    const fs::path root_ = scratch_.path();
 };
 
 const Fault sign{"sign", "solver/a.cpp", "a + b", "a - b", "the sign", {Judge::Kind::study, "sum"}};

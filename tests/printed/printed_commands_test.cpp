@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/process.hpp"
+#include "base/scratch.hpp"
 #include "base/source_tree.hpp"
 
 namespace crawford {
@@ -57,11 +58,7 @@ std::vector<fs::path> documents() {
 
 class PrintedCommands : public testing::Test {
 protected:
-    PrintedCommands()
-        : root_(fs::path(testing::TempDir()) /
-                (std::string("crawford_printed_") +
-                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(root_);
+    PrintedCommands() {
         for (const char* directory : {"build", "bin", "refused"})
             fs::create_directories(root_ / directory);
         for (const char* name : {"cases", "docs", "examples", "results"})
@@ -74,7 +71,6 @@ protected:
         fs::create_symlink(stand_in, root_ / "bin" / "make");
         fs::create_symlink(stand_in, root_ / "bin" / "ctest");
     }
-    void TearDown() override { fs::remove_all(root_); }
 
     Finished run(const std::string& commands) const {
         const char* path = std::getenv("PATH");
@@ -84,7 +80,8 @@ protected:
              fmt::format("PATH={}/bin:{}", root_.string(), path), "sh", "-euc", commands});
     }
 
-    fs::path root_;
+    Scratch scratch_;
+    fs::path root_ = scratch_.path();
 };
 
 TEST_F(PrintedCommands, RunAsPrinted) {

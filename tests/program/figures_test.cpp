@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/process.hpp"
+#include "base/scratch.hpp"
 #include "base/source_tree.hpp"
 #include "tests/program_path.hpp"
 
@@ -25,15 +26,6 @@ using testing::Not;
 /// A directory of the test's own.
 class ProgramFigures : public testing::Test {
 protected:
-    ProgramFigures()
-        : scratch_(fs::path(testing::TempDir()) /
-                   (std::string("crawford_figures_") +
-                    testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(scratch_);
-        fs::create_directories(scratch_);
-    }
-    void TearDown() override { fs::remove_all(scratch_); }
-
     Finished draw(const std::string& name, const std::string& out,
                   std::vector<std::string> options = {}) const {
         std::vector<std::string> command = {
@@ -42,7 +34,8 @@ protected:
         return run_program(command);
     }
 
-    fs::path scratch_;
+    const Scratch own_;
+    const fs::path scratch_ = own_.path();
 };
 
 std::string content(const fs::path& file) {

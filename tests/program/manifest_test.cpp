@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/process.hpp"
+#include "base/scratch.hpp"
 #include "base/source_tree.hpp"
 #include "tests/program_path.hpp"
 
@@ -21,18 +22,14 @@ using testing::HasSubstr;
 
 /// Of a burn of a shipped scene on a coarse grid.
 nlohmann::json manifest_of(const std::string& scene, const std::vector<std::string>& set) {
-    const auto out = fs::path(testing::TempDir()) / ("crawford_manifest_" + scene);
-    fs::remove_all(out);
+    const Scratch scratch;
+    const auto& out = scratch.path();
     std::vector<std::string> command{program_path(), "burn", "--quiet", "--out", out.string()};
     command.push_back((source_path("cases/scenes") / scene).string());
     for (const std::string& key : set) command.insert(command.end(), {"--set", key});
     const auto run = run_program(command);
     EXPECT_EQ(run.status, 0) << run.output;
-    std::ifstream file(out / "manifest.json");
-    const auto json = nlohmann::json::parse(file);
-    file.close();
-    fs::remove_all(out);
-    return json;
+    return nlohmann::json::parse(std::ifstream(out / "manifest.json"));
 }
 
 TEST(ProgramManifest, NamesTheSeedAndTheReadings) {

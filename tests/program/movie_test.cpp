@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/process.hpp"
+#include "base/scratch.hpp"
 #include "base/source_tree.hpp"
 #include "tests/program_path.hpp"
 
@@ -16,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(ProgramMovie, IsRefusedInOneLineWhereACaseHasNone) {
-    const auto out = fs::path(testing::TempDir()) / "crawford_no_movie";
+    const Scratch scratch;
+    const auto out = scratch.path() / "out";
     const auto run =
         run_program({program_path(), "run", "fig13", "fig01", "--movie", "--out", out.string()});
     EXPECT_EQ(run.status, 2);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/process.hpp"
+#include "base/scratch.hpp"
 #include "base/source_tree.hpp"
 #include "tests/program_path.hpp"
 
@@ -48,18 +49,10 @@ inline Finished signalled(const std::string& signal, const std::string& there,
 /// A directory of the test's own, which does not exist yet.
 class ProgramTest : public testing::Test {
 protected:
-    ProgramTest() { std::filesystem::remove_all(out_); }
-    void TearDown() override { std::filesystem::remove_all(out_); }
-
     std::string out() const { return out_.string(); }
 
-    static std::filesystem::path own_directory() {
-        const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-        return std::filesystem::path(testing::TempDir()) /
-               (std::string("crawford_") + test->test_suite_name() + '_' + test->name());
-    }
-
-    const std::filesystem::path out_ = own_directory();
+    const Scratch scratch_;
+    const std::filesystem::path out_ = scratch_.path() / "out";
 };
 
 }  // namespace crawford

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/scratch.hpp"
 #include "reports/verification.hpp"
 
 namespace crawford::reports {
@@ -197,7 +198,8 @@ TEST(Against, StaysWithinEightyColumns) {
 }
 
 TEST(Against, NullIsNullInAFile) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "against.json";
+    const Scratch scratch;
+    const auto file = scratch.path() / "verify.json";
     Verification v;
     v.gates = {of_order("heat"), of_bound(0.5)};
     v.gates[0].errors[0] = v.gates[0].fit = std::nan("");
@@ -208,7 +210,8 @@ TEST(Against, NullIsNullInAFile) {
 }
 
 TEST(Against, SaysInPlainWordsWhatIsNoReport) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "no_report.json";
+    const Scratch scratch;
+    const auto file = scratch.path() / "verify.json";
     std::ofstream(file) << R"({"a": 1})";
     try {
         read_gates(file);

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "base/scratch.hpp"
 #include "reports/judgement.hpp"
 #include "reports/junit.hpp"
 
@@ -67,12 +68,12 @@ using Element = boost::property_tree::ptree;
 
 /// The file of some results, read back.
 Element written(const Verification& v) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "crawford_junit.xml";
+    const Scratch scratch;
+    const auto file = scratch.path() / "junit.xml";
     write_junit(file, v);
     Element document;
     boost::property_tree::read_xml(file.string(), document,
                                    boost::property_tree::xml_parser::trim_whitespace);
-    std::filesystem::remove(file);
     return document.get_child("testsuites");
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/atomic_file.hpp"
+#include "base/scratch.hpp"
 #include "reports/figure.hpp"
 #include "reports/figure_json.hpp"
 #include "reports/record_json.hpp"
@@ -25,18 +26,12 @@ std::string content(const fs::path& file) {
 
 class FigureRecords : public testing::Test {
 protected:
-    FigureRecords()
-        : out_(fs::path(testing::TempDir()) /
-               (std::string("crawford_figure_record_") +
-                testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(out_);
-        fs::create_directories(out_);
+    FigureRecords() {
         write_file(out_ / "script.gp",
                    "@panel_a\nplot data_line using 1:2 title sprintf('%.17g %s', third, word)\n"
                    "@panel_b\nset multiplot\n@map_only\n@colours_sheet\n"
                    "splot data_sheet using 1:2:3 with pm3d\nunset multiplot\n");
     }
-    void TearDown() override { fs::remove_all(out_); }
 
     Figure figure() const {
         Figure figure("one", out_, out_ / "script.gp");
@@ -55,7 +50,8 @@ protected:
         return figure;
     }
 
-    fs::path out_;
+    const Scratch scratch_;
+    const fs::path out_ = scratch_.path();
 };
 
 Record record_of(const Figure& figure) {

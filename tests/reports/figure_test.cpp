@@ -13,6 +13,7 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "base/process.hpp"
+#include "base/scratch.hpp"
 #include "reports/convergence_figure.hpp"
 
 namespace crawford::reports {
@@ -29,13 +30,8 @@ std::string contents(const fs::path& file) {
 /// A directory of the test's own, with a quote and a space in its name to trip careless quoting.
 class Figures : public testing::Test {
 protected:
-    Figures() : out_(fs::path(testing::TempDir()) / unique()) { fs::create_directories(out_); }
-    void TearDown() override { fs::remove_all(out_); }
+    Figures() { fs::create_directories(out_); }
 
-    static std::string unique() {
-        return std::string("crawford it's `false` ") +
-               testing::UnitTest::GetInstance()->current_test_info()->name();
-    }
     fs::path script(const std::string& text) const {
         write_file(out_ / "script.gp", text);
         return out_ / "script.gp";
@@ -45,7 +41,8 @@ protected:
             std::distance(fs::directory_iterator(out_ / "figures"), fs::directory_iterator{}));
     }
 
-    fs::path out_;
+    const Scratch scratch_;
+    const fs::path out_ = scratch_.path() / "it's `false` here";
     std::vector<Column> line_{{"depth", "um", {0.0, 1.0, 2.0}},
                               {"temperature", "K", {300.0, 0.1, std::nan("")}}};
 };
@@ -217,7 +214,8 @@ TEST(RunProgram, PassesArgumentsAsTheyAre) {
 }
 
 TEST(AtomicFiles, AppearCompleteOrNotAtAll) {
-    const auto target = fs::path(testing::TempDir()) / "crawford_atomic" / "deep" / "file.txt";
+    const Scratch scratch;
+    const auto target = scratch.path() / "deep" / "file.txt";
     {
         AtomicFile unfinished(target);
         std::ofstream(unfinished.temporary()) << "half";
@@ -229,7 +227,6 @@ TEST(AtomicFiles, AppearCompleteOrNotAtAll) {
     EXPECT_THROW(write_file(target / "below a file", "x"), InputError);
     EXPECT_THROW(AtomicFile(target).commit(), InputError) << "nothing was written";
     EXPECT_EQ(contents(target), "whole");
-    fs::remove_all(target.parent_path().parent_path());
 }
 
 }  // namespace

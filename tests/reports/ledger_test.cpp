@@ -12,6 +12,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/scratch.hpp"
 
 namespace crawford::reports {
 namespace {
@@ -78,8 +79,6 @@ TEST(LedgerUncertainty, IsTheRootOfTheSumOfSquaresOfWhatWasStudied) {
 
 class LedgerFile : public testing::Test {
 protected:
-    void TearDown() override { std::filesystem::remove_all(file_.parent_path()); }
-
     Json document() const { return Json::parse(std::ifstream(file_)); }
 
     /// What reading says of the document after `spoil` has been at it.
@@ -99,11 +98,8 @@ protected:
         return "read";
     }
 
-    /// Tests run side by side: each has a directory of its own.
-    std::filesystem::path file_ =
-        std::filesystem::path(testing::TempDir()) /
-        (std::string("crawford_") + testing::UnitTest::GetInstance()->current_test_info()->name()) /
-        "ledger.json";
+    const Scratch scratch_;
+    const std::filesystem::path file_ = scratch_.path() / "ledger.json";
 };
 
 TEST_F(LedgerFile, ReadsBackEveryNumberAndEveryWord) {

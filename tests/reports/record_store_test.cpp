@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/scratch.hpp"
 
 namespace crawford::reports {
 namespace {
@@ -39,14 +40,6 @@ Record done(int n, double value) {
 
 class Records : public testing::Test {
 protected:
-    Records()
-        : directory_(fs::path(testing::TempDir()) /
-                     (std::string("crawford_records_") +
-                      testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(directory_);
-    }
-    void TearDown() override { fs::remove_all(directory_); }
-
     fs::path file() const { return directory_ / record_file_name(experiment); }
     std::string text() const {
         std::ifstream in(file());
@@ -57,7 +50,8 @@ protected:
         return std::count(all.begin(), all.end(), '\n');
     }
 
-    fs::path directory_;
+    const Scratch scratch_;
+    const fs::path directory_ = scratch_.path() / "records";
 };
 
 TEST_F(Records, KeepEveryBit) {

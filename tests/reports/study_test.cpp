@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/scratch.hpp"
 #include "reports/judgement.hpp"
 
 namespace crawford::reports {
@@ -206,8 +207,8 @@ TEST(StudyRun, FeedsAllStudiesOutOfOneQueueDearestFirst) {
 }
 
 TEST(StudyRun, RunsOnlyWhatIsNotThereAndFindsTheSame) {
-    const auto directory = std::filesystem::path(testing::TempDir()) / "crawford_study_records";
-    std::filesystem::remove_all(directory);
+    const Scratch scratch;
+    const auto& directory = scratch.path();
     std::atomic<int> runs = 0;
     Study s("counted");
     s.at("element", "bbar").refines("cells", {32, 64, 128}).measure([&](const Setting& at) {
@@ -230,7 +231,6 @@ TEST(StudyRun, RunsOnlyWhatIsNotThereAndFindsTheSame) {
     EXPECT_TRUE(all_passed(judged.gates)) << table(judged.gates);
     run({Task{s}}, &other);
     EXPECT_EQ(runs, 6) << "another program trusts none of them";
-    std::filesystem::remove_all(directory);
 }
 
 TEST(StudyRun, CarriesTheReasonOfARunThatThrew) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/scratch.hpp"
 #include "reports/coverage.hpp"
 #include "reports/study.hpp"
 
@@ -86,13 +87,8 @@ TEST(Verification, IsNoneWhereGatesWereLeftOut) {
 
 class VerificationFile : public testing::Test {
 protected:
-    void TearDown() override { std::filesystem::remove_all(file_.parent_path()); }
-
-    /// Tests run side by side: each has a directory of its own.
-    std::filesystem::path file_ =
-        std::filesystem::path(testing::TempDir()) /
-        (std::string("crawford_") + testing::UnitTest::GetInstance()->current_test_info()->name()) /
-        "verify.json";
+    const Scratch scratch_;
+    const std::filesystem::path file_ = scratch_.path() / "verify.json";
 };
 
 TEST_F(VerificationFile, HoldsOneObjectForEachGate) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/scratch.hpp"
 #include "solver/packing/pack.hpp"
 #include "solver/scene/read_discs.hpp"
 #include "solver/scene/read_scene.hpp"
@@ -77,10 +78,10 @@ TEST(PackScene, TakesADistributionOfSizes) {
 TEST(PackScene, IsWrittenAsATableWithoutLoss) {
     Discs pack = random_pack(paper_pack());
     pack.source = "somewhere\nelse";
-    const std::string file = ::testing::TempDir() + "pack_scene_table.csv";
+    const Scratch scratch;
+    const std::string file = scratch.path() / "table.csv";
     std::ofstream(file) << discs_csv(pack);
     const std::vector<Disc> read = read_discs(file);
-    std::filesystem::remove(file);
     EXPECT_EQ(fingerprint({.discs = read, .period = pack.period}), fingerprint(pack));
     EXPECT_EQ(read[39].radius, pack.discs[39].radius);
 }

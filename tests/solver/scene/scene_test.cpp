@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/scratch.hpp"
 #include "base/source_tree.hpp"
 #include "solver/scene/check_scene.hpp"
 #include "solver/scene/read_scene.hpp"
@@ -74,21 +75,17 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text.replace(at, what.size(), by);
 }
 
-/// A file in the test's own folder, removed with it.
+/// A file in a folder of its own, removed with it.
 class ScratchFile {
 public:
     ScratchFile(const std::string& name, const std::string& content)
-        : path_(
-              std::filesystem::path(testing::TempDir()) /
-              (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + name)) {
+        : path_(scratch_.path() / name) {
         std::ofstream(path_) << content;
     }
-    ~ScratchFile() { std::filesystem::remove(path_); }
-    ScratchFile(const ScratchFile&) = delete;
-    ScratchFile& operator=(const ScratchFile&) = delete;
     const std::filesystem::path& path() const { return path_; }
 
 private:
+    Scratch scratch_;
     std::filesystem::path path_;
 };
 
