@@ -21,7 +21,8 @@ Crossing::Crossing(const Scene& scene, const Grid& grid)
       columns_in_a_metre_(1.0 / narrowest_column(grid)),
       activation_(largest_activation(scene)),
       cold_(scene.bottom.temperature),
-      front_limit_(front_crossing_limit(scene.time.scheme)) {
+      front_limit_(front_crossing_limit(scene.time.scheme)),
+      mechanics_every_(scene.time.mechanics_every) {
     for (int j = 0; j <= grid.rows(); ++j)
         rows_in_a_metre_[size_t(j)] = 1.0 / std::min(grid.height(std::max(j - 1, 0)),
                                                      grid.height(std::min(j, grid.rows() - 1)));
@@ -36,9 +37,10 @@ Crossed Crossing::of(const SurfaceField& before, const State& after) const {
         if (after.velocity.empty()) continue;
         for (int j = 0; j < int(rows_in_a_metre_.size()); ++j) {
             const Vector& v = after.velocity(i, j);
-            worst.columns = std::max(worst.columns, std::abs(v.x()) * dt * columns_in_a_metre_);
-            worst.rows =
-                std::max(worst.rows, std::abs(v.y() * dt + fall) * rows_in_a_metre_[size_t(j)]);
+            worst.columns = std::max(worst.columns,
+                                     mechanics_every_ * std::abs(v.x()) * dt * columns_in_a_metre_);
+            worst.rows = std::max(worst.rows, mechanics_every_ * std::abs(v.y() * dt + fall) *
+                                                  rows_in_a_metre_[size_t(j)]);
         }
     }
     worst.by_front = by_front(before, after);

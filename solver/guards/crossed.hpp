@@ -44,6 +44,7 @@ private:
     double activation_;  ///< largest Ea/R [K]; 0 where the rate does not hang on T
     double cold_;        ///< temperature of the bottom [K]
     double front_limit_;
+    int mechanics_every_;
 };
 
 }  // namespace crawford

@@ -205,7 +205,7 @@ Guard crossing_y(double cells) {
 }
 
 Guard predicted_crossing_y(const Scene& scene, const Grid& grid, double burn_rate) {
-    Guard guard = crossing_y(burn_rate * scene.time.step / lowest_row(grid));
+    Guard guard = crossing_y(burn_rate * scene.time.mechanics_step() / lowest_row(grid));
     if (!scene.physics.mechanics || guard.beyond == Beyond::nothing) return guard;
     guard.longest_step = scene.time.step / guard.value;
     guard.text = "the solid would cross more rows in a step than stress can be carried";

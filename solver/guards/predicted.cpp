@@ -75,7 +75,7 @@ bool add_burning(Guards& guards, const Scene& scene, const Grid& grid, const Par
     if (scene.physics.mechanics && grid.cell_columns() > 1)
         // A slab expands towards the surface alone; beside another material also sideways.
         add_worst(guards, crossing_x(speed_of_expansion(scene, part.material, part.answer.slab) *
-                                     scene.time.step / narrowest_column(grid)));
+                                     scene.time.mechanics_step() / narrowest_column(grid)));
     return true;
 }
 

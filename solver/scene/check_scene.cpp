@@ -116,6 +116,23 @@ void check(const Morphology& morphology, const Domain& domain) {
     std::visit([&domain](const auto& shape) { check(shape, domain); }, morphology.shape);
 }
 
+/// What stands between two moves of the solid is held, and that needs a plain step of all else.
+void check_turns(const Scene& scene) {
+    const int every = scene.time.mechanics_every;
+    if (every == 1) return;
+    require(scene.physics.mechanics,
+            "time.mechanics_every = {} needs physics.mechanics = true; remove it", every);
+    require(
+        scene.time.scheme == Stepping::euler && !scene.time.accuracy,
+        "time.mechanics_every = {} needs time.scheme = \"euler\" and a time.step that is given; "
+        "take them, or mechanics_every = 1",
+        every);
+    require(scene.morphology.indicator == Indicator::laboratory,
+            "time.mechanics_every = {} needs morphology.indicator = \"laboratory\"; take it, or "
+            "mechanics_every = 1",
+            every);
+}
+
 void check_physics(const Scene& scene) {
     const Physics& p = scene.physics;
     require(p.heat || p.regression != Regression::pyrolysis,
@@ -133,6 +150,7 @@ void check_physics(const Scene& scene) {
     require(p.mechanics || scene.numerics.surface_motion == SurfaceMotion::burning,
             "numerics.surface_motion = \"burning with material\" needs a velocity; set "
             "physics.mechanics = true or surface_motion = \"burning\"");
+    check_turns(scene);
     require(!p.heat || scene.surface.heat_flux.size() == scene.morphology.materials.size(),
             "surface.heat_flux has {} values for {} materials; give one for each",
             scene.surface.heat_flux.size(), scene.morphology.materials.size());

@@ -111,6 +111,10 @@ struct Time {
     /// Stop when the mean burn rate changes less than this, relative, per ms.
     std::optional<double> until_steady = std::nullopt;
     Stepping scheme = Stepping::euler;
+    int mechanics_every = 1;  ///< steps of heat and surface for each of stress, velocity and map
+
+    /// Of stress, velocity and map [s].
+    double mechanics_step() const { return mechanics_every * step; }
 };
 
 enum class Element {

@@ -106,6 +106,7 @@ void visit(Table& table, Time& t) {
     table.quantity("end", t.end, duration, Need::required);
     table.number("until_steady", t.until_steady, {"", 1e-15, 1.0});
     table.choice("scheme", t.scheme, schemes);
+    table.integer("mechanics_every", t.mechanics_every, {1, 1000}, Need::optional);
 }
 
 template <class Table>

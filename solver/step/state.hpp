@@ -19,7 +19,8 @@ struct State {
     StressField stress;           ///< sigma [Pa]
     CellField temperature_rate;   ///< DT/Dt of the last step [K/s], where the stress work is split
     NodeVectors reference_shift;  ///< xi - (x, y) [m]; as a shift it is exact in a free stream
-    /// The state one step before, where time.scheme looks back that far; its own is always empty.
+    /// The state one step before, where time.scheme looks back that far; between two moves of the
+    /// solid (time.mechanics_every) that of the last. Its own is always empty.
     std::shared_ptr<const State> previous;
 };
 

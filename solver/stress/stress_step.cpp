@@ -14,7 +14,8 @@ StressStep::StressStep(const Scene& scene, const Grid& grid, const MaterialMap& 
       neighbours_(grid, materials),
       source_(sources.stress),
       element_(scene.numerics.element),
-      thermal_stress_(scene.numerics.thermal_stress) {}
+      thermal_stress_(scene.numerics.thermal_stress),
+      in_turns_(scene.time.mechanics_every > 1) {}
 
 void StressStep::predict(StressField& stress, const StressField& carried, const SolidMotion& motion,
                          const CellField& temperature_rate, const TimeStep& step) const {
@@ -69,7 +70,8 @@ Deviator StressStep::deviator_rate(const StressField& stress, int point, const C
                                 .value = dt * w.cwiseAbs().maxCoeff(),
                                 .limit = FailureLimit{.value = 1.0},
                                 .place = FailurePlace{"cell", here.i, here.j},
-                                .advice = "reduce time.step"});
+                                .advice = in_turns_ ? "reduce time.mechanics_every"
+                                                    : "reduce time.step"});
 
     Deviator rate = -w.y() * upwind_derivative(stress, point, here.column, w.y());
     if (grid_.cell_columns() > 1)

@@ -68,6 +68,7 @@ private:
     SpaceTimeFunction<PlaneStress> source_;
     Element element_;
     ThermalStress thermal_stress_;
+    bool in_turns_;  ///< its steps are those of heat, several together
 };
 
 }  // namespace crawford

@@ -59,6 +59,7 @@ std::vector<Knob> of_stress() {
     return {{"element", {{"numerics.element=q1"}}},
             {"coupling", {{"numerics.coupling=lagged"}}},
             {"linear solver", {{"numerics.solver=ldlt"}}},
+            {"mechanics every", each("time.mechanics_every", {"2", "4", "8"})},
             {"reference map", {{"physics.reference_map=false"}}},
             {"physics", {{"physics.mechanics=false", "physics.reference_map=false"}}}};
 }
