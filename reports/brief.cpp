@@ -22,7 +22,7 @@ std::vector<GateResult> gates_of(const Verification& v, const std::string& study
 std::string words(const Count& count) {
     if (count.all() == 0) return "not run";
     if (count.failed > 0) return fmt::format("{} FAIL", count.failed);
-    return count.not_gated > 0 ? "not gated" : "pass";
+    return word(mark(count));
 }
 
 std::string line_of(const StudyRecord& study, const Count& count) {

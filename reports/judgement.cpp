@@ -52,10 +52,10 @@ std::string numbers(const GateResult& r) {
 }
 
 std::string headline(const std::string& what, const GateResult& r) {
-    const std::string mark = r.passed ? "pass" : r.gated ? "FAIL" : "----";
-    const std::size_t room = width - mark.size() - 1;
-    if (what.size() > room) return wrapped(what + ' ' + mark, "  ");
-    return fmt::format("{:<{}} {}\n", what, room, mark);
+    const std::string how = mark(r) == Mark::not_gated ? "----" : word(mark(r));
+    const std::size_t room = width - how.size() - 1;
+    if (what.size() > room) return wrapped(what + ' ' + how, "  ");
+    return fmt::format("{:<{}} {}\n", what, room, how);
 }
 
 std::string tolerance(double below, double above) {
@@ -109,6 +109,28 @@ Count count(const std::vector<GateResult>& results) {
     for (const auto& result : results)
         ++(result.passed ? count.passed : result.gated ? count.failed : count.not_gated);
     return count;
+}
+
+Mark mark(const GateResult& result) {
+    if (result.passed) return Mark::pass;
+    return result.gated ? Mark::fail : Mark::not_gated;
+}
+
+Mark mark(const Count& count) {
+    if (count.failed > 0) return Mark::fail;
+    return count.not_gated > 0 ? Mark::not_gated : Mark::pass;
+}
+
+const char* word(Mark mark) {
+    switch (mark) {
+        case Mark::pass:
+            return "pass";
+        case Mark::fail:
+            return "FAIL";
+        case Mark::not_gated:
+            break;
+    }
+    return "not gated";
 }
 
 std::string text(const Count& count) {

@@ -20,6 +20,14 @@ struct Count {
 };
 Count count(const std::vector<GateResult>& results);
 
+/// How a gate, or all gates of a study, came out: on the terminal and on pages alike.
+enum class Mark { pass, fail, not_gated };
+Mark mark(const GateResult& result);
+Mark mark(const Count& count);
+
+/// "pass", "FAIL", "not gated".
+const char* word(Mark mark);
+
 /// "60 of 60 gates pass", or "12 pass, 1 fail, 30 not gated: too few grids".
 std::string text(const Count& count);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reports/default_estimate.hpp"
+#include "reports/judgement.hpp"
 #include "reports/order_judgement.hpp"
 
 namespace crawford::reports {
@@ -31,8 +32,7 @@ std::string grids(const OrderTable& table, const JudgedColumn& column) {
 std::string verdict(const GateResult& r) {
     auto text = fmt::format("  fit {}, {}", number(r.fit, "{:.3f}"), r.verdict);
     if (!r.gated) return text + (r.failure.empty() ? "" : ": " + r.failure) + '\n';
-    text += fmt::format("; expected {:g} within {:g}: {}", r.expected, r.below,
-                        r.passed ? "pass" : "FAIL");
+    text += fmt::format("; expected {:g} within {:g}: {}", r.expected, r.below, word(mark(r)));
     return text + (r.passed ? "" : ": " + r.failure) + '\n';
 }
 

@@ -55,8 +55,9 @@ Html finding(const GateResult& gate) {
 
 Html heading(const GateResult& gate) {
     return element("h4", {},
-                   element("span", {{"class", "mark " + style_of(gate)}}, judgement(gate)) + " " +
-                       title(gate) + " " + element("span", {{"class", "demand"}}, demand(gate)));
+                   element("span", {{"class", "mark " + style_of(mark(gate))}}, word(mark(gate))) +
+                       " " + title(gate) + " " +
+                       element("span", {{"class", "demand"}}, demand(gate)));
 }
 
 }  // namespace
@@ -67,13 +68,14 @@ std::string anchor_of_gate(std::size_t index) {
 
 Html gate_card(const GateResult& gate, std::size_t index) {
     Html text = heading(gate);
-    if (!gate.passed) text += element("p", {{"class", style_of(gate)}}, gate.failure);
+    if (!gate.passed) text += element("p", {{"class", style_of(mark(gate))}}, gate.failure);
     if (gate.gated) text += finding(gate);
     text += element("p", {{"class", "reason"}}, "because " + gate.reason);
     text += element(
         "div", {{"class", "evidence"}},
         numbers(gate) + (gate.kind == GateKind::order ? order_plot(gate) : bound_plot(gate)));
-    return element("article", {{"id", anchor_of_gate(index)}, {"class", "gate " + style_of(gate)}},
+    return element("article",
+                   {{"id", anchor_of_gate(index)}, {"class", "gate " + style_of(mark(gate))}},
                    text) +
            "\n";
 }

@@ -46,10 +46,8 @@ std::string short_name(const std::string& study, const std::string& entry) {
     return study.starts_with(entry + ", ") ? study.substr(entry.size() + 2) : study;
 }
 
-Html mark(const Count& count) {
-    const std::string style = count.failed > 0 ? "fail" : count.not_gated > 0 ? "open" : "pass";
-    const std::string word = count.failed > 0 ? "FAIL" : count.not_gated > 0 ? "not gated" : "pass";
-    return element("span", {{"class", "mark " + style}}, word);
+Html marked(const Count& count) {
+    return element("span", {{"class", "mark " + style_of(mark(count))}}, word(mark(count)));
 }
 
 /// The studies of an entry as links, coloured by how they have come out.
@@ -74,7 +72,7 @@ Html entry_row(const Verification& v, const std::string& entry) {
         if (study.entry == entry) seconds += study.seconds;
     return element("tr", {},
                    element("td", {}, link(anchor_of_entry(entry), entry)) +
-                       element("td", {}, mark(count)) + number_cell(count.passed, "pass") +
+                       element("td", {}, marked(count)) + number_cell(count.passed, "pass") +
                        number_cell(count.failed, "fail") + number_cell(count.not_gated, "open") +
                        element("td", {{"class", "count"}}, duration(seconds)) +
                        element("td", {{"class", "facts"}}, links_to_studies(v, entry))) +

@@ -37,14 +37,16 @@ std::string duration(double seconds) {
     return fmt::format("{} min {} s", whole / 60, whole % 60);
 }
 
-std::string judgement(const GateResult& gate) {
-    if (gate.passed) return "pass";
-    return gate.gated ? "FAIL" : "not gated";
-}
-
-std::string style_of(const GateResult& gate) {
-    if (gate.passed) return "pass";
-    return gate.gated ? "fail" : "open";
+std::string style_of(Mark mark) {
+    switch (mark) {
+        case Mark::pass:
+            return "pass";
+        case Mark::fail:
+            return "fail";
+        case Mark::not_gated:
+            break;
+    }
+    return "open";
 }
 
 std::string title(const GateResult& gate) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reports/gate.hpp"
+#include "reports/judgement.hpp"
 
 namespace crawford::reports::page {
 
@@ -23,11 +23,8 @@ std::string percent_off(double value, double truth);
 /// "3.2 s", "1 min 40 s"
 std::string duration(double seconds);
 
-/// "pass", "FAIL" or "not gated".
-std::string judgement(const GateResult& gate);
-
-/// The class of style that goes with it: "pass", "fail" or "open".
-std::string style_of(const GateResult& gate);
+/// The class of style of what came out so: "pass", "fail" or "open".
+std::string style_of(Mark mark);
 
 /// "T, L2"
 std::string title(const GateResult& gate);

@@ -16,6 +16,7 @@
 #include "solver/files/manifest.hpp"
 #include "solver/guards/predicted.hpp"
 #include "solver/guards/watch.hpp"
+#include "solver/run/history_row.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/run/steadiness.hpp"

@@ -18,10 +18,6 @@ namespace crawford {
 /// run writes when the unbroken one does.
 bool is_due(double before, double after, double interval);
 
-/// What the history says of the present state, in the shape that was asked for.
-HistoryRow history_row(const Simulation& simulation, const Summary& summary,
-                       const Widening& widening);
-
 class Recorder {
 public:
     /// For a run that begins with the state of `simulation`: at step 0 the files are new, later

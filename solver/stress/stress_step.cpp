@@ -64,14 +64,14 @@ Deviator StressStep::deviator_rate(const StressField& stress, int point, const C
     const Local at = stress_points(element_)[size_t(point)];
     const Vector w = grid_velocity(here, at);
     if (!(std::abs(w.x()) * dt <= 1.0 && std::abs(w.y()) * dt <= 1.0))
-        throw NumericalFailure({.kind = FailureFields::Kind::beyond_limit,
-                                .module = "stress",
-                                .quantity = "cells that the material crosses in one step",
-                                .value = dt * w.cwiseAbs().maxCoeff(),
-                                .limit = FailureLimit{.value = 1.0},
-                                .place = FailurePlace{"cell", here.i, here.j},
-                                .advice = in_turns_ ? "reduce time.mechanics_every"
-                                                    : "reduce time.step"});
+        throw NumericalFailure(
+            {.kind = FailureFields::Kind::beyond_limit,
+             .module = "stress",
+             .quantity = "cells that the material crosses in one step",
+             .value = dt * w.cwiseAbs().maxCoeff(),
+             .limit = FailureLimit{.value = 1.0},
+             .place = FailurePlace{"cell", here.i, here.j},
+             .advice = in_turns_ ? "reduce time.mechanics_every" : "reduce time.step"});
 
     Deviator rate = -w.y() * upwind_derivative(stress, point, here.column, w.y());
     if (grid_.cell_columns() > 1)

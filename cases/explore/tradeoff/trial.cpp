@@ -5,8 +5,8 @@
 
 #include "base/source_tree.hpp"
 #include "solver/guards/predicted.hpp"
+#include "solver/run/history_row.hpp"
 #include "solver/run/loop.hpp"
-#include "solver/run/recorder.hpp"
 #include "solver/scene/read_scene.hpp"
 
 namespace crawford::tradeoff {

@@ -9,8 +9,8 @@
 
 #include "base/errors.hpp"
 #include "solver/run/burn.hpp"
+#include "solver/run/history_row.hpp"
 #include "solver/run/loop.hpp"
-#include "solver/run/recorder.hpp"
 #include "solver/step/simulation.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/scratch.hpp"
