@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <mutex>
 #include <new>
+#include <set>
 #include <vector>
 
 extern "C" {
@@ -18,53 +19,80 @@ namespace crawford {
 
 namespace {
 
-/// \throws std::bad_alloc if there is no room for so many work spaces of OpenBLAS.
-void look_for_room(std::size_t spaces) {
+/// \throws std::bad_alloc if there is no room for one more work space of OpenBLAS.
+void look_for_room() {
     constexpr std::size_t work_space = std::size_t{32} << 22;  // BUFFER_SIZE of OpenBLAS on x86_64
-    const std::size_t size = spaces * work_space;
     void* const room =
-        ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        ::mmap(nullptr, work_space, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (room == MAP_FAILED) throw std::bad_alloc();
-    ::munmap(room, size);
+    ::munmap(room, work_space);
 }
 
-/// Work space for a thread. OpenBLAS maps one when as many calls as it has spaces are under way, and
-/// tries for ever where it cannot; it never gives one back. So there is one for each thread before
-/// the thread calls it.
-class WorkSpace {
+/// Work spaces that a thread holds for a moment.
+class Taken {
 public:
-    WorkSpace() {
-        const std::lock_guard lock(mutex());
-        look_for_room(threads() + 1);
-        std::vector<void*> spaces(++threads());
-        for (void*& space : spaces) space = blas_memory_alloc(0);
-        for (void* space : spaces) blas_memory_free(space);
+    Taken() = default;
+    ~Taken() {
+        for (void* space : spaces_) blas_memory_free(space);
     }
-    ~WorkSpace() {
-        const std::lock_guard lock(mutex());
-        --threads();
+    Taken(const Taken&) = delete;
+    Taken(Taken&&) = delete;
+    Taken& operator=(const Taken&) = delete;
+    Taken& operator=(Taken&&) = delete;
+
+    /// One more, which OpenBLAS maps if none that it has is free.
+    void* one() {
+        look_for_room();
+        return spaces_.emplace_back(blas_memory_alloc(0));
     }
-    WorkSpace(const WorkSpace&) = delete;
-    WorkSpace(WorkSpace&&) = delete;
-    WorkSpace& operator=(const WorkSpace&) = delete;
-    WorkSpace& operator=(WorkSpace&&) = delete;
 
 private:
-    static std::mutex& mutex() {
-        static std::mutex mutex;
-        return mutex;
+    std::vector<void*> spaces_;
+};
+
+/// OpenBLAS maps a work space when none that it has is free, tries for ever where it cannot, and
+/// never gives one back. So there are as many as threads that call it, before they do.
+class WorkSpaces {
+public:
+    /// \throws std::bad_alloc
+    void add_thread() {
+        const std::lock_guard lock(mutex_);
+        Taken taken;
+        while (mapped_.size() <= threads_) mapped_.insert(taken.one());
+        ++threads_;
     }
-    static std::size_t& threads() {
-        static std::size_t threads = 0;
-        return threads;
+    void end_thread() {
+        const std::lock_guard lock(mutex_);
+        --threads_;
     }
+
+private:
+    std::mutex mutex_;
+    std::set<void*> mapped_;
+    std::size_t threads_ = 0;
+};
+
+WorkSpaces& work_spaces() {
+    static WorkSpaces spaces;
+    return spaces;
+}
+
+/// As long as it is there, its thread has a work space.
+class Caller {
+public:
+    Caller() { work_spaces().add_thread(); }
+    ~Caller() { work_spaces().end_thread(); }
+    Caller(const Caller&) = delete;
+    Caller(Caller&&) = delete;
+    Caller& operator=(const Caller&) = delete;
+    Caller& operator=(Caller&&) = delete;
 };
 
 }  // namespace
 
 void use_one_thread() {
-    thread_local const WorkSpace space;
-    static_cast<void>(space);
+    thread_local const Caller caller;
+    static_cast<void>(caller);
     // No level of parallel regions may be active: a num_threads clause, as CHOLMOD's, overrides any
     // other setting.
     omp_set_max_active_levels(0);

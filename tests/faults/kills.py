@@ -49,7 +49,7 @@ def chain(what, out, unbroken, seconds, kills, random, row):
 
 def rows(place, random, short):
     kinds = [(work.Burn(), 4 if short else 40), (work.verify(), 2 if short else 20), (work.figure(), 2 if short else 20),
-             (work.ledger(), 1 if short else 20)]
+             (work.short_ledger() if short else work.ledger(), 2 if short else 20)]
     for what, kills in kinds:
         row = Row(f"kill -9, {what.name}")
         unbroken = place / f"unbroken-{what.name}"
