@@ -126,7 +126,7 @@ faults: program
 
 faults-short: program
 	$(call install,python3)
-	@nice python3 -B tests/faults/faults.py --short --only kill --only disk --only checkpoints --only comma --only place --only signals --only two --only clock --only make
+	@nice python3 -B tests/faults/faults.py --short
 
 figures: program
 	@build/crawford run --all --fidelity $(FIDELITY) --out $(OUT)
