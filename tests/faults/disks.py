@@ -98,7 +98,7 @@ def no_place(place, random, short):
 def little_memory(place, random, short):
     row = Row("out of memory")
     megabytes = [100, 200, 300] if short else range(40, 600, 20)
-    for what in (work.Burn(steps=15), work.verify()):
+    for what in (work.Burn(steps=15), work.verify(), work.figure(), work.short_ledger()):
         unbroken, _ = unbroken_run(what, place, row)
         for size in megabytes:
             folder = place / f"memory-{what.name}-{size}"
