@@ -48,7 +48,7 @@ using Cases = std::vector<const Entry*>;
 /// Whose claims are judged: those of the figures that are named, in the order of the paper, or all.
 /// \throws InputError if one of them shows no claim.
 Cases cases_of(const LedgerOptions& options) {
-    const Cases all = ledger::claiming_cases();
+    Cases all = ledger::claiming_cases();
     if (options.figures.empty()) return all;
     const Cases named = choose_cases(options.figures);
     for (const Entry* entry : named)

@@ -35,7 +35,7 @@ std::vector<std::string> find_quantities() {
     for (const auto& measures :
          {pack_measures(), rigid_pack_measures(), sandwich_measures(), rigid_sandwich_measures()})
         for (const Measure& measure : measures) {
-            all.push_back(measure.what);
+            all.emplace_back(measure.what);
             for (const char* of : {of_pack, of_pack_2Q, of_rigid_pack})
                 all.push_back(spread_name(of, measure));
         }
