@@ -92,13 +92,16 @@ TEST_F(ProgramEnsemble, ListsWhatIsThereAndInWhatState) {
 
 /// The burn is held still while it is looked at: it cannot have ended.
 TEST_F(ProgramEnsemble, ListsABurnThatGoesOnAsRunning) {
-    Words command{"sh", "-c",
+    Words command{"sh",
+                  "-c",
                   "program=$1; out=$2; until=$3; shift 3; "
                   "\"$program\" \"$@\" >/dev/null 2>&1 & child=$!; "
                   "until test -e \"$until\"; do kill -0 $child || break; sleep 0.05; done; "
                   "kill -STOP $child; \"$program\" runs --list --json --out \"$out\"; "
                   "kill -KILL $child; wait $child 2>/dev/null; true",
-                  "sh", program_path(), out(),
+                  "sh",
+                  program_path(),
+                  out(),
                   (out_ / "a" / "tiny_checkpoint_000060.h5").string()};
     const Finished amid = run_program(joined(command, slow("a")));
     const auto list = nlohmann::json::parse(amid.output);
