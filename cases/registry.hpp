@@ -57,6 +57,10 @@ struct Cost {
     double verify = 0.0;
 };
 
+/// Runs that claims of the paper are judged by, besides those that figures show: readings and
+/// refinements of the burning sandwich; those of the pack, and other packs (cases/paper/ledger).
+enum class LedgerRuns { none, sandwich, pack };
+
 /// A line of the catalogue. It can be drawn, verified, or both.
 struct Entry {
     std::string name;
@@ -77,6 +81,7 @@ struct Entry {
     /// The claims of the paper that this case shows, judged by what has been found: rows of the
     /// ledger, made of records and nothing else (cases/paper/ledger/evidence.hpp).
     std::function<std::vector<reports::LedgerRow>(const ledger::Evidence&)> claims = {};
+    LedgerRuns claims_rest_on = LedgerRuns::none;
     std::filesystem::path source = {};  ///< "cases/<file>.cpp"; filled in when it registers
 };
 

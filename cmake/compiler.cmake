@@ -23,7 +23,7 @@ function(crawford_precompile target)
     <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <utility> <vector>
     <fmt/format.h> <fmt/ranges.h> ${ARGN})
   # A compiler cache can only take part if the header stays visible to the preprocessor.
-  if(CMAKE_CXX_COMPILER_LAUNCHER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  if(CMAKE_CXX_COMPILER_LAUNCHER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     target_compile_options(${target} PRIVATE -fpch-preprocess)
   endif()
 endfunction()

@@ -96,6 +96,11 @@ struct Parser {
         ledger_command = app.add_subcommand("ledger", help::ledger);
         ledger_command->add_flag("--settle", ledger.settle,
                                  "Burn all that it rests on: hours at paper, minutes at draft");
+        ledger_command
+            ->add_option("--figure", ledger.figures, "Settle only the claims that these cases show")
+            ->type_name("CASE")
+            ->allow_extra_args(false)
+            ->needs("--settle");
         ledger_command->add_option("--fidelity", ledger.fidelity, "draft, paper or fine")
             ->type_name("WORD")
             ->capture_default_str();

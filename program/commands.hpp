@@ -34,8 +34,9 @@ struct RunOptions {
 };
 
 struct LedgerOptions {
-    std::optional<unsigned> threads;  ///< as run
-    bool settle = false;              ///< burn all that it rests on; else take the one in the tree
+    std::optional<unsigned> threads;   ///< as run
+    bool settle = false;               ///< burn all that it rests on; else take the one in the tree
+    std::vector<std::string> figures;  ///< settle only the claims of these cases; all if empty
     std::string fidelity = "paper";
     std::filesystem::path out = "out";
     bool quiet = false;
@@ -95,7 +96,9 @@ int list(const ListOptions& options);
 /// is computed.
 int run(const RunOptions& options, const CommandLine& command);
 
-/// Writes DIR/figures/ledger.json and its page: settled anew, or as it lies in the source tree.
+/// Writes DIR/figures/ledger.json and its page: settled anew, or as it lies in the source tree. Of
+/// some figures only, DIR/figures/ledger-FIGURE....json.
+/// \throws InputError naming the nearest case if a figure is unknown or shows no claim.
 /// \throws NumericalFailure if a case that it cites or a burn that a row rests on fails.
 int settle_ledger(const LedgerOptions& options, const CommandLine& command);
 

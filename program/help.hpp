@@ -39,9 +39,14 @@ As a rule the ledger is the one that lies in the source tree. --settle finds its
 readings, refinements and packs that it rests on are burnt. What is burnt is kept, and a run that
 was cut off goes on.
 
+--settle --figure finds only the claims that one figure shows (again: those of more) and writes them to
+DIR/figures/ledger-FIGURE.json. The ledger of all claims stays as it is; settling it then takes up what
+has been burnt.
+
 Examples:
   crawford ledger
-  crawford ledger --settle --fidelity draft --out out/draft)";
+  crawford ledger --settle --fidelity draft --out out/draft
+  crawford ledger --settle --figure fig10 --figure fig11 --fidelity draft --out out/draft)";
 
 inline constexpr auto verify = "Hold the solver against its truths; exit 1 if a gate falls short";
 

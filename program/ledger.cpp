@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "base/atomic_file.hpp"
 #include "base/build_info.hpp"
@@ -40,13 +43,39 @@ reports::Ledger settled_before() {
     }
 }
 
-void draw_claiming_cases(const LedgerOptions& options, const CommandLine& command) {
+using Cases = std::vector<const Entry*>;
+
+/// Whose claims are judged: those of the figures that are named, in the order of the paper, or all.
+/// \throws InputError if one of them shows no claim.
+Cases cases_of(const LedgerOptions& options) {
+    Cases all = ledger::claiming_cases();
+    if (options.figures.empty()) return all;
+    const Cases named = choose_cases(options.figures);
+    for (const Entry* entry : named)
+        if (!entry->claims)
+            throw InputError(fmt::format("no claim of the paper is judged by {}", entry->name));
+    Cases cases;
+    std::ranges::copy_if(all, std::back_inserter(cases), [&](const Entry* entry) {
+        return std::ranges::find(named, entry) != named.end();
+    });
+    return cases;
+}
+
+/// A part never takes the place of the whole.
+std::filesystem::path file_of(const LedgerOptions& options, const Cases& cases) {
+    std::string name = "ledger";
+    if (!options.figures.empty())
+        for (const Entry* entry : cases) name += "-" + entry->name;
+    return options.out / "figures" / (name + ".json");
+}
+
+void draw(const Cases& cases, const LedgerOptions& options, const CommandLine& command) {
     RunOptions drawing{.cases = {},
                        .fidelity = options.fidelity,
                        .out = options.out,
                        .threads = options.threads,
                        .quiet = options.quiet};
-    for (const Entry* entry : ledger::claiming_cases()) drawing.cases.push_back(entry->name);
+    for (const Entry* entry : cases) drawing.cases.push_back(entry->name);
     if (run(drawing, command) != exit_code::done)
         throw NumericalFailure("a case that the ledger cites could not be drawn");
 }
@@ -55,8 +84,10 @@ void draw_claiming_cases(const LedgerOptions& options, const CommandLine& comman
 /// them.
 class Runs {
 public:
-    Runs(Fidelity fidelity, const LedgerOptions& options, reports::RecordStore& store)
+    Runs(Fidelity fidelity, const Cases& cases, const LedgerOptions& options,
+         reports::RecordStore& store)
         : fidelity_(fidelity),
+          cases_(cases),
           out_(options.out),
           threads_(options.threads),
           store_(store),
@@ -66,7 +97,7 @@ public:
         const FileLock lock(out_ / "records" / ".ledger.lock",
                             [this] { narrator_.say("waiting for another ledger"); });
         std::vector<ledger::Run> missing;
-        for (const ledger::Run& run : ledger::runs(fidelity_))
+        for (const ledger::Run& run : ledger::runs(fidelity_, cases_))
             if (!store_.find(run.experiment, run.setting)) missing.push_back(run);
         run_told(burns_of(missing), narrator_, threads_,
                  [this](const Job& job, const std::exception_ptr&) {
@@ -101,6 +132,7 @@ private:
     }
 
     Fidelity fidelity_;
+    const Cases& cases_;
     std::filesystem::path out_;
     std::optional<unsigned> threads_;
     reports::RecordStore& store_;
@@ -120,15 +152,16 @@ double found(reports::RecordStore& store, const std::string& entry, const std::s
     return *value;
 }
 
-reports::Ledger settle(const LedgerOptions& options, const CommandLine& command) {
+reports::Ledger settle(const Cases& cases, const LedgerOptions& options,
+                       const CommandLine& command) {
     const auto started = Clock::now();
     const Fidelity fidelity = fidelity_of(options.fidelity);
-    draw_claiming_cases(options, command);
+    draw(cases, options, command);
     prepare_directory(options.out / "records");
     auto store = figure_records(options.out);
-    Runs(fidelity, options, store).make_missing();
+    Runs(fidelity, cases, options, store).make_missing();
     auto settled = ledger::judged(
-        fidelity, [&](const ledger::Run& run) { return record_of(store, run); },
+        fidelity, cases, [&](const ledger::Run& run) { return record_of(store, run); },
         [&](const std::string& entry, const std::string& what) {
             return found(store, entry, what);
         });
@@ -166,8 +199,9 @@ void tell(const reports::Ledger& ledger) {
 
 int settle_ledger(const LedgerOptions& options, const CommandLine& command) {
     const LeaveOnSignal leave(command);
-    const auto ledger = options.settle ? settle(options, command) : settled_before();
-    const auto file = options.out / "figures" / "ledger.json";
+    const Cases cases = cases_of(options);
+    const auto ledger = options.settle ? settle(cases, options, command) : settled_before();
+    const auto file = file_of(options, cases);
     reports::write(file, ledger);
     write_figure_pages(options.out);
     tell(ledger);

@@ -1,5 +1,7 @@
 /// `crawford`: see help.hpp for what it says about itself.
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 
 #include "base/errors.hpp"
@@ -20,9 +22,22 @@ int obey(const crawford::CommandLine& arguments) {
     return code;
 }
 
+/// Where memory is so short that it cannot even be tidied up (destructors of JSON ask for some) the
+/// end is one line and a code of its own, as elsewhere. Any other such end is a mistake of ours.
+[[noreturn]] void end_at_once() {
+    const auto problem = std::current_exception();
+    if (!problem || !crawford::is_out_of_memory(problem)) {
+        __gnu_cxx::__verbose_terminate_handler();  // says what it was
+        std::abort();
+    }
+    std::fputs("crawford: out of memory; use fewer cells\n", stderr);
+    std::_Exit(crawford::exit_code::numbers_failed);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
+    std::set_terminate(end_at_once);
     try {
         return obey({arguments, arguments + count});
     } catch (...) {

@@ -139,7 +139,8 @@ const Registered here{{.name = "fig07",
                        .cost = {.draft = 8.0, .paper = 80.0},
                        .draw = fig07,
                        .burns = [](Fidelity f) { return std::vector{burning_sandwich(f, true)}; },
-                       .claims = claims}};
+                       .claims = claims,
+                       .claims_rest_on = LedgerRuns::sandwich}};
 
 }  // namespace
 

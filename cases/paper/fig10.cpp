@@ -120,7 +120,8 @@ const Registered here{
          [](Fidelity f) {
              return std::vector{burning_sandwich(f, false), burning_sandwich(f, true)};
          },
-     .claims = claims}};
+     .claims = claims,
+     .claims_rest_on = LedgerRuns::sandwich}};
 
 }  // namespace
 

@@ -183,7 +183,8 @@ const Registered here{
          [](Fidelity f) {
              return std::vector{burning_pack(f), burning_pack(f, {.mechanics = false})};
          },
-     .claims = claims}};
+     .claims = claims,
+     .claims_rest_on = LedgerRuns::pack}};
 
 }  // namespace
 

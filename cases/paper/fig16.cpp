@@ -70,7 +70,8 @@ const Registered here{{.name = "fig16",
                        .cost = {.draft = 12.0, .paper = 400.0},
                        .draw = fig16,
                        .burns = [](Fidelity f) { return std::vector{burning_pack(f)}; },
-                       .claims = claims}};
+                       .claims = claims,
+                       .claims_rest_on = LedgerRuns::pack}};
 
 }  // namespace
 

@@ -135,7 +135,8 @@ const Registered here{{.name = "fig17",
                            [](Fidelity f) {
                                return std::vector{burning_pack(f), burning_pack(f, {.flux = 2.0})};
                            },
-                       .claims = claims}};
+                       .claims = claims,
+                       .claims_rest_on = LedgerRuns::pack}};
 
 }  // namespace
 

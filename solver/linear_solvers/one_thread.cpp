@@ -4,31 +4,95 @@
 #include <sys/mman.h>
 
 #include <cstddef>
+#include <mutex>
 #include <new>
+#include <set>
+#include <vector>
 
-extern "C" void openblas_set_num_threads(int count);
+extern "C" {
+void openblas_set_num_threads(int count);
+void* blas_memory_alloc(int position);
+void blas_memory_free(void* space);
+}
 
 namespace crawford {
 
 namespace {
 
-/// Where OpenBLAS cannot map its work space it tries again for ever.
-/// \throws std::bad_alloc if there is no room for that of one more thread.
-bool look_for_room() {
+/// \throws std::bad_alloc if there is no room for one more work space of OpenBLAS.
+void look_for_room() {
     constexpr std::size_t work_space = std::size_t{32} << 22;  // BUFFER_SIZE of OpenBLAS on x86_64
     void* const room =
         ::mmap(nullptr, work_space, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (room == MAP_FAILED) throw std::bad_alloc();
     ::munmap(room, work_space);
-    return true;
 }
+
+/// Work spaces that a thread holds for a moment.
+class Taken {
+public:
+    Taken() = default;
+    ~Taken() {
+        for (void* space : spaces_) blas_memory_free(space);
+    }
+    Taken(const Taken&) = delete;
+    Taken(Taken&&) = delete;
+    Taken& operator=(const Taken&) = delete;
+    Taken& operator=(Taken&&) = delete;
+
+    /// One more, which OpenBLAS maps if none that it has is free.
+    void* one() {
+        look_for_room();
+        return spaces_.emplace_back(blas_memory_alloc(0));
+    }
+
+private:
+    std::vector<void*> spaces_;
+};
+
+/// OpenBLAS maps a work space when none that it has is free, tries for ever where it cannot, and
+/// never gives one back. So there are as many as threads that call it, before they do.
+class WorkSpaces {
+public:
+    /// \throws std::bad_alloc
+    void add_thread() {
+        const std::lock_guard lock(mutex_);
+        Taken taken;
+        while (mapped_.size() <= threads_) mapped_.insert(taken.one());
+        ++threads_;
+    }
+    void end_thread() {
+        const std::lock_guard lock(mutex_);
+        --threads_;
+    }
+
+private:
+    std::mutex mutex_;
+    std::set<void*> mapped_;
+    std::size_t threads_ = 0;
+};
+
+WorkSpaces& work_spaces() {
+    static WorkSpaces spaces;
+    return spaces;
+}
+
+/// As long as it is there, its thread has a work space.
+class Caller {
+public:
+    Caller() { work_spaces().add_thread(); }
+    ~Caller() { work_spaces().end_thread(); }
+    Caller(const Caller&) = delete;
+    Caller(Caller&&) = delete;
+    Caller& operator=(const Caller&) = delete;
+    Caller& operator=(Caller&&) = delete;
+};
 
 }  // namespace
 
 void use_one_thread() {
-    // It keeps what it has mapped: each thread needs to look once.
-    thread_local const bool has_room = look_for_room();
-    static_cast<void>(has_room);
+    thread_local const Caller caller;
+    static_cast<void>(caller);
     // No level of parallel regions may be active: a num_threads clause, as CHOLMOD's, overrides any
     // other setting.
     omp_set_max_active_levels(0);

@@ -39,16 +39,21 @@ def main():
     rows = []
     began = time.time()
     print(f"faults, seed {options.seed}, in {place}", flush=True)
-    for name in options.only or CAMPAIGNS:
-        folder = place / name
-        folder.mkdir()
-        for row in CAMPAIGNS[name](folder, random.Random(options.seed), options.short):
-            rows.append(row)
-            print(f"{row.fault}: {row.tries} tries, {len(row.losses)} lost; {time.time() - began:.0f} s", flush=True)
-            for loss in row.losses:
-                print("  lost:", loss, flush=True)
-        if not any(row.losses for row in rows) and not options.keep:
-            shutil.rmtree(folder)
+    try:
+        for name in options.only or CAMPAIGNS:
+            folder = place / name
+            folder.mkdir()
+            for row in CAMPAIGNS[name](folder, random.Random(options.seed), options.short):
+                rows.append(row)
+                print(f"{row.fault}: {row.tries} tries, {len(row.losses)} lost; {time.time() - began:.0f} s",
+                      flush=True)
+                for loss in row.losses:
+                    print("  lost:", loss, flush=True)
+            if not any(row.losses for row in rows) and not options.keep:
+                shutil.rmtree(folder)
+    except KeyboardInterrupt:
+        print(f"interrupted in {name}: the rows that had ended are\n\n" + (table.text(rows) if rows else "none"))
+        return 130
     print("\n" + table.text(rows))
     if any(row.losses for row in rows):
         print(f"what was lost lies in {place}")

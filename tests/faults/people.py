@@ -17,7 +17,7 @@ from whole import halves
 
 def signals(place, random, short):
     row = Row("SIGINT, SIGTERM")
-    for what in (work.Burn(), work.verify(), work.figure()):
+    for what in (work.Burn(), work.verify(), work.figure(), work.short_ledger()):
         unbroken = place / f"unbroken-{what.name}"
         began = time.time()
         work.run(what.arguments(unbroken))

@@ -34,8 +34,9 @@ Rules rules() {
     rules.may_know["cases"].insert("cases");
     rules.may_know["program"].insert({"cases", "program"});
     rules.may_know["tests"].insert("tests");
-    // Burns what a study burns; a program of its own.
+    // One burns what a study burns, one asks cases for their claims: a program of their own.
     rules.may_know["tests/handed_in"] = {"base", "cases", "tests"};
+    rules.may_know["tests/ledger"] = {"base", "cases", "tests"};
     // Programs of their own, which take the readers of files out of any folder.
     rules.may_know["tests/fuzz"] = {"base", "solver", "reports", "program", "tests"};
     rules.ranks = {{"packing", "linear_solvers", "time_integration"},

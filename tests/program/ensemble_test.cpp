@@ -90,6 +90,26 @@ TEST_F(ProgramEnsemble, ListsWhatIsThereAndInWhatState) {
     expect_refused({"gather", out(), "--out", out() + "/table"}, "manifest.json is no JSON");
 }
 
+/// The burn is held still while it is looked at: it cannot have ended.
+TEST_F(ProgramEnsemble, ListsABurnThatGoesOnAsRunning) {
+    Words command{"sh",
+                  "-c",
+                  "program=$1; out=$2; until=$3; shift 3; "
+                  "\"$program\" \"$@\" >/dev/null 2>&1 & child=$!; "
+                  "until test -e \"$until\"; do kill -0 $child || break; sleep 0.05; done; "
+                  "kill -STOP $child; \"$program\" runs --list --json --out \"$out\"; "
+                  "kill -KILL $child; wait $child 2>/dev/null; true",
+                  "sh",
+                  program_path(),
+                  out(),
+                  (out_ / "a" / "tiny_checkpoint_000060.h5").string()};
+    const Finished amid = run_program(joined(command, slow("a")));
+    const auto list = nlohmann::json::parse(amid.output);
+    ASSERT_EQ(list.size(), 1U);
+    EXPECT_EQ(list.at(0).at("state"), "running");
+    EXPECT_EQ(listed().at(0).at("state"), "cut off") << "it has been killed";
+}
+
 TEST_F(ProgramEnsemble, GoesOnFromAKillToTheSameBits) {
     EXPECT_EQ(crawford(slow("unbroken")).status, 0);
     kill_amid("KILL", "killed");

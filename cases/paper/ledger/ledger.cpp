@@ -13,13 +13,31 @@ namespace crawford::ledger {
 
 namespace {
 
-Evidence evidence_of(Fidelity fidelity, const Records& records) {
+using Cases = std::vector<const Entry*>;
+
+bool rest_on(const Cases& cases, LedgerRuns runs) {
+    return std::ranges::any_of(cases,
+                               [&](const Entry* entry) { return entry->claims_rest_on == runs; });
+}
+
+std::vector<Series> series_of(Fidelity fidelity, const Cases& cases) {
+    std::vector<Series> all;
+    if (rest_on(cases, LedgerRuns::pack)) all = pack_series(fidelity);
+    if (rest_on(cases, LedgerRuns::sandwich))
+        std::ranges::move(sandwich_series(fidelity), std::back_inserter(all));
+    return all;
+}
+
+Evidence evidence_of(Fidelity fidelity, const Cases& cases, const Records& records) {
     Evidence evidence;
-    for (const Series& series : all_series(fidelity))
+    for (const Series& series : series_of(fidelity, cases))
         std::ranges::move(refinements(series, records), std::back_inserter(evidence.refinements));
-    evidence.spreads = spreads(packs(fidelity), records);
-    evidence.pack_readings = matrix(pack_readings(fidelity), records);
-    evidence.sandwich_readings = matrix(sandwich_readings(fidelity), records);
+    if (rest_on(cases, LedgerRuns::pack)) {
+        evidence.spreads = spreads(packs(fidelity), records);
+        evidence.pack_readings = matrix(pack_readings(fidelity), records);
+    }
+    if (rest_on(cases, LedgerRuns::sandwich))
+        evidence.sandwich_readings = matrix(sandwich_readings(fidelity), records);
     return evidence;
 }
 
@@ -34,28 +52,31 @@ std::vector<const Entry*> claiming_cases() {
     return cases;
 }
 
-std::vector<Run> runs(Fidelity fidelity) {
+std::vector<Run> runs(Fidelity fidelity, const Cases& cases) {
     std::vector<Run> all;
     std::set<std::pair<std::string, std::string>> seen;
     const auto add = [&](const std::vector<Run>& more) {
         for (const Run& run : more)
             if (seen.emplace(run.experiment, run.setting.text()).second) all.push_back(run);
     };
-    for (const Series& series : all_series(fidelity)) add(runs(series));
-    add(runs(packs(fidelity)));
-    add(runs(pack_readings(fidelity)));
-    add(runs(sandwich_readings(fidelity)));
+    for (const Series& series : series_of(fidelity, cases)) add(runs(series));
+    if (rest_on(cases, LedgerRuns::pack)) {
+        add(runs(packs(fidelity)));
+        add(runs(pack_readings(fidelity)));
+    }
+    if (rest_on(cases, LedgerRuns::sandwich)) add(runs(sandwich_readings(fidelity)));
     return all;
 }
 
-reports::Ledger judged(Fidelity fidelity, const Records& records,
+reports::Ledger judged(Fidelity fidelity, const Cases& cases, const Records& records,
                        decltype(Evidence::finding) finding) {
-    Evidence evidence = evidence_of(fidelity, records);
+    Evidence evidence = evidence_of(fidelity, cases, records);
     evidence.finding = std::move(finding);
     reports::Ledger ledger;
-    for (const Entry* const entry : claiming_cases())
+    for (const Entry* const entry : cases)
         std::ranges::move(entry->claims(evidence), std::back_inserter(ledger.rows));
-    ledger.readings = {evidence.sandwich_readings, evidence.pack_readings};
+    for (const auto& matrix : {evidence.sandwich_readings, evidence.pack_readings})
+        if (!matrix.runs.empty()) ledger.readings.push_back(matrix);
     ledger.refinements = std::move(evidence.refinements);
     ledger.spreads = std::move(evidence.spreads);
     return ledger;

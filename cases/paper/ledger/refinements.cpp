@@ -47,6 +47,12 @@ std::vector<Series> both(const std::string& of, const std::string& file,
              pack ? rigid_pack_measures() : rigid_sandwich_measures()}};
 }
 
+std::vector<Series> joined(const std::vector<std::vector<Series>>& parts) {
+    std::vector<Series> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
 Run run_of(const Series& series, const Resolution& resolution) {
     const std::string solid = series.mechanics ? "thermo-mechanical" : "rigid";
     const Scene scene = series.scene(resolution);
@@ -92,20 +98,25 @@ reports::Refinement refinement(const Series& series, const Measure& measure,
 
 }  // namespace
 
-std::vector<Series> all_series(Fidelity fidelity) {
+std::vector<Series> pack_series(Fidelity fidelity) {
     const bool draft = fidelity == Fidelity::draft;
-    const double until = draft ? 0.04 : 0.1;
-    const auto pack_grids =
+    const auto grids =
         draft ? std::vector<Resolution>{{40, 32, 100 * us, 0.04},
                                         {50, 40, 100 * us, 0.04},
                                         {60, 48, 100 * us, 0.04}}
               : std::vector<Resolution>{
                     {60, 48, 50 * us, 0.135}, {90, 72, 50 * us, 0.135}, {120, 96, 50 * us, 0.135}};
-    const auto pack_steps =
+    const auto steps =
         draft ? varied({60, 48, 0, 0.04}, &Resolution::step, {120 * us, 100 * us, 80 * us})
               : varied({120, 96, 0, 0.135}, &Resolution::step, {75 * us, 50 * us, 25 * us});
+    return joined({both("pack", "pack.toml", "x and y", grids, 2),
+                   both("pack", "pack.toml", "dt", steps, draft ? 1 : 2)});
+}
+
+std::vector<Series> sandwich_series(Fidelity fidelity) {
+    const bool draft = fidelity == Fidelity::draft;
     const Resolution sandwich =
-        draft ? Resolution{32, 48, 80 * us, until} : Resolution{64, 96, 20 * us, until};
+        draft ? Resolution{32, 48, 80 * us, 0.04} : Resolution{64, 96, 20 * us, 0.1};
     const auto columns = varied(sandwich, &Resolution::nx,
                                 draft ? std::vector{16, 32, 64} : std::vector{32, 64, 128});
     const auto rows = varied(sandwich, &Resolution::ny,
@@ -113,16 +124,9 @@ std::vector<Series> all_series(Fidelity fidelity) {
     const auto steps = varied(
         sandwich, &Resolution::step,
         draft ? std::vector{160 * us, 80 * us, 40 * us} : std::vector{80 * us, 40 * us, 20 * us});
-    std::vector<Series> all;
-    const auto add = [&](const std::vector<Series>& two) {
-        all.insert(all.end(), two.begin(), two.end());
-    };
-    add(both("pack", "pack.toml", "x and y", pack_grids, 2));
-    add(both("pack", "pack.toml", "dt", pack_steps, draft ? 1 : 2));
-    add(both("burning sandwich", "sandwich.toml", "x", columns, 1));
-    add(both("burning sandwich", "sandwich.toml", "y", rows, 2));
-    add(both("burning sandwich", "sandwich.toml", "dt", steps, 2));
-    return all;
+    return joined({both("burning sandwich", "sandwich.toml", "x", columns, 1),
+                   both("burning sandwich", "sandwich.toml", "y", rows, 2),
+                   both("burning sandwich", "sandwich.toml", "dt", steps, 2)});
 }
 
 std::vector<Run> runs(const Series& series) {

@@ -24,7 +24,8 @@ struct Series {
 };
 
 /// All series at a fidelity: what refines the numbers of cases drawn at it.
-std::vector<Series> all_series(Fidelity fidelity);
+std::vector<Series> pack_series(Fidelity fidelity);
+std::vector<Series> sandwich_series(Fidelity fidelity);
 std::vector<Run> runs(const Series& series);
 
 /// One refinement for each of its measures. Orders are held against 1: steps are the paper's, first
