@@ -209,6 +209,9 @@ Guard predicted_crossing_y(const Scene& scene, const Grid& grid, double burn_rat
     if (!scene.physics.mechanics || guard.beyond == Beyond::nothing) return guard;
     guard.longest_step = scene.time.step / guard.value;
     guard.text = "the solid would cross more rows in a step than stress can be carried";
+    if (scene.time.mechanics_every > 1)
+        guard.text +=
+            fmt::format(" ({} of heat's: time.mechanics_every)", scene.time.mechanics_every);
     // A part that burns by itself may burn faster than it will beside another.
     constexpr double beyond_doubt = 1.5;
     if (guard.value > beyond_doubt) guard.beyond = Beyond::refusal;

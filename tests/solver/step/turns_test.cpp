@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "solver/guards/predicted.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/scene/check_scene.hpp"
 #include "solver/step/simulation.hpp"
@@ -125,6 +126,21 @@ TEST(Turns, SayWhatIsTooLong) {
     } catch (const NumericalFailure& failure) {
         EXPECT_THAT(failure.what(), ::testing::HasSubstr("reduce time.mechanics_every"));
     }
+}
+
+TEST(Turns, AreForetoldToBeTooLong) {
+    const auto crossing = [](int every) {
+        Scene scene = in_turns(every);
+        scene.time.step = 40e-6;
+        const Guards guards = predicted(scene);
+        return *std::ranges::find(guards, "crossing_y", &Guard::name);
+    };
+    const Guard plain = crossing(1), long_turns = crossing(80);
+    EXPECT_EQ(plain.beyond, Beyond::nothing);
+    EXPECT_NEAR(long_turns.value, 80.0 * plain.value, 1e-12);
+    EXPECT_EQ(long_turns.beyond, Beyond::refusal);
+    EXPECT_THAT(long_turns.text, ::testing::HasSubstr("time.mechanics_every"));
+    EXPECT_NEAR(*long_turns.longest_step, 40e-6 / long_turns.value, 1e-18) << "of heat's";
 }
 
 TEST(Turns, AreRefusedWhereTheyCannotBe) {
