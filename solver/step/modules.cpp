@@ -78,6 +78,7 @@ void Simulation::Modules::load() {
     if (stress && scene.surface.pressure > 0.0 && (p.heat || p.regression != Regression::none))
         state = under_first_load(state, {scene, grid, *stress, *projection});
     materials.follow(state.surface, state.reference_shift);
+    forget_residual();
     loaded = true;
 }
 
@@ -168,6 +169,7 @@ void Simulation::Modules::move_surface(State& next, const State& now, const Time
 
 void Simulation::Modules::move_solid(State& next, const State& now, const SurfaceField& base,
                                      const TimeStep& step) {
+    forget_residual();
     const SurfaceField rate = rate_between(base, next.surface, step.span);
     const SolidMotion old_motion{now.surface, rate, now.velocity};
 
@@ -211,12 +213,12 @@ void Simulation::Modules::follow_material(State& next) {
 
 /// Between two moves of the solid that of the last: its materials have moved on since.
 double Simulation::Modules::residual() {
+    if (residual_) return *residual_;
     const State& solid = solid_of(state);
     if (&solid != &state && materials.moves()) materials.follow(solid.surface);
-    const double value =
-        projection->residual(solid.stress, solid.velocity, solid.surface, solid.time);
+    residual_ = projection->residual(solid.stress, solid.velocity, solid.surface, solid.time);
     if (&solid != &state && materials.moves()) materials.follow(state.surface);
-    return value;
+    return *residual_;
 }
 
 std::shared_ptr<const State> Simulation::Modules::remembered(State now) const {

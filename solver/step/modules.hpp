@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "solver/burning/front_motion.hpp"
 #include "solver/heat/heat_step.hpp"
@@ -51,7 +52,12 @@ struct Simulation::Modules {
     /// Of equilibrium, relative to the load of the stress, where the solid stands.
     double residual();
 
+    /// For a state that comes from elsewhere.
+    void forget_residual() { residual_.reset(); }
+
 private:
+    std::optional<double> residual_;  ///< once it was asked for, until the solid moves
+
     /// phi_t of a surface whose nodes have this temperature and velocity.
     SurfaceField surface_rate_of(const SurfaceField& surface, const NodeField& temperature,
                                  const NodeVectors& velocity, double length) const;

@@ -45,6 +45,7 @@ void Simulation::restore(State state) {
     if (state.previous && state.length == 0.0) state.length = modules_->scene.time.step;
     modules_->materials.follow(state.surface, state.reference_shift);
     modules_->state = std::move(state);
+    modules_->forget_residual();
     modules_->loaded = true;
 }
 
