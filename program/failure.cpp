@@ -29,8 +29,7 @@ Failure failure_of(const std::exception_ptr& problem) {
         return {fmt::format("a file cannot be read or written: {}", error.what()),
                 exit_code::wrong_input};
     } catch (const std::exception& error) {
-        if (is_out_of_memory(problem))
-            return {"out of memory; use fewer cells", exit_code::numbers_failed};
+        if (is_out_of_memory(problem)) return {out_of_memory, exit_code::numbers_failed};
         return {fmt::format("internal error: {}", error.what()), exit_code::numbers_failed};
     }
 }

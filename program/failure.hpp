@@ -11,6 +11,9 @@ struct Failure {
     int exit_code;
 };
 
+/// What is said where memory is short.
+inline constexpr auto out_of_memory = "out of memory; use fewer cells";
+
 Failure failure_of(const std::exception_ptr& problem);
 
 bool is_out_of_memory(const std::exception_ptr& problem);

@@ -30,7 +30,7 @@ int obey(const crawford::CommandLine& arguments) {
         __gnu_cxx::__verbose_terminate_handler();  // says what it was
         std::abort();
     }
-    std::fputs("crawford: out of memory; use fewer cells\n", stderr);
+    std::fprintf(stderr, "crawford: %s\n", crawford::out_of_memory);
     std::_Exit(crawford::exit_code::numbers_failed);
 }
 

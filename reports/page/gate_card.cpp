@@ -55,12 +55,15 @@ Html finding(const GateResult& gate) {
 
 Html heading(const GateResult& gate) {
     return element("h4", {},
-                   element("span", {{"class", "mark " + style_of(mark(gate))}}, word(mark(gate))) +
-                       " " + title(gate) + " " +
+                   badge(mark(gate)) + " " + title(gate) + " " +
                        element("span", {{"class", "demand"}}, demand(gate)));
 }
 
 }  // namespace
+
+Html badge(Mark mark) {
+    return element("span", {{"class", "mark " + style_of(mark)}}, word(mark));
+}
 
 std::string anchor_of_gate(std::size_t index) {
     return "gate-" + std::to_string(index + 1);

@@ -46,10 +46,6 @@ std::string short_name(const std::string& study, const std::string& entry) {
     return study.starts_with(entry + ", ") ? study.substr(entry.size() + 2) : study;
 }
 
-Html marked(const Count& count) {
-    return element("span", {{"class", "mark " + style_of(mark(count))}}, word(mark(count)));
-}
-
 /// The studies of an entry as links, coloured by how they have come out.
 Html links_to_studies(const Verification& v, const std::string& entry) {
     Html links;
@@ -72,7 +68,7 @@ Html entry_row(const Verification& v, const std::string& entry) {
         if (study.entry == entry) seconds += study.seconds;
     return element("tr", {},
                    element("td", {}, link(anchor_of_entry(entry), entry)) +
-                       element("td", {}, marked(count)) + number_cell(count.passed, "pass") +
+                       element("td", {}, badge(mark(count))) + number_cell(count.passed, "pass") +
                        number_cell(count.failed, "fail") + number_cell(count.not_gated, "open") +
                        element("td", {{"class", "count"}}, duration(seconds)) +
                        element("td", {{"class", "facts"}}, links_to_studies(v, entry))) +
