@@ -121,7 +121,7 @@ mutants: deps
 	@build/tests/mutants/mutants $(FAULTS)
 
 faults: program
-	$(call install,python3)
+	$(call install,python3 $(ENSEMBLE_PACKAGES))
 	@nice python3 -B tests/faults/faults.py
 
 faults-short: program
@@ -150,12 +150,12 @@ KILLED ?= workflow/twenty.yaml
 
 ensemble: program
 	$(call install,$(ENSEMBLE_PACKAGES))
-	@snakemake --snakefile workflow/Snakefile --profile workflow/profiles/local --configfile $(ENSEMBLE) \
+	@snakemake --snakefile workflow/Snakefile --profile workflow/profiles/local --configfile "$(ENSEMBLE)" \
 	  --config "out=$(OUT)/ensemble"
 
 ensemble-test: program
 	$(call install,$(ENSEMBLE_PACKAGES))
-	@workflow/try_kills $(KILLED) "$(OUT)/ensemble-test" $(KILLS)
+	@workflow/try_kills "$(KILLED)" "$(OUT)/ensemble-test" $(KILLS)
 
 ensemble-slurm: program
 	$(call install,$(ENSEMBLE_PACKAGES) $(SLURM_PACKAGES))

@@ -210,6 +210,14 @@ def make_from_such_a_place(place, random, short):
         ended = subprocess.run([tree / "build/crawford", "run", "fig05", "--fidelity", "draft", "-q", "--out", tree / "o"],
                                capture_output=True, text=True)
         row.tried(ended.returncode == 0, ended.stderr)
-    row.saw("make -n program" if short else "make program, and a figure drawn there")
+        row.tried(*ensemble_in(tree))
+    row.saw("make -n program" if short else "make program, a figure and an ensemble there")
     yield row
 
+
+def ensemble_in(tree):
+    """Four tiny burns through Snakemake: whether their page is there, and what was said."""
+    few = (tree / "workflow/tiny.yaml").read_text().replace("last: 250", "last: 1")
+    (tree / "few.yaml").write_text(few)
+    ended = subprocess.run(["make", "ensemble", "ENSEMBLE=few.yaml", "OUT=o p"], cwd=tree, capture_output=True, text=True)
+    return (tree / "o p/ensemble/ensemble.html").is_file(), ended.stdout[-600:] + ended.stderr[-600:]
