@@ -29,6 +29,7 @@ listed with their reason. Writes points.csv, burns.csv, ensemble.json, ensemble.
 
 Examples:
   crawford gather out/ensemble/burns --out out/ensemble
+  crawford gather --from out/ensemble/folders.txt --out out/ensemble
   crawford gather out/ensemble/burns --out out/half --interval "0.5 %" --after "10 ms")";
 
 }  // namespace
@@ -65,8 +66,10 @@ struct EnsembleCommands::Commands {
 
     void add_gather(CLI::App& app) {
         gather_command = app.add_subcommand("gather", gather_help);
-        gather_command->add_option("DIR", gather.folders, "Folders with burns, at any depth")
-            ->required();
+        gather_command->add_option("DIR", gather.folders, "Folders with burns, at any depth");
+        refuse_empty(gather_command->add_option("--from", gather.from,
+                                                "A file that names more folders, one a line"))
+            ->type_name("FILE");
         refuse_empty(gather_command->add_option("--out", gather.out, "Where the tables go"))
             ->type_name("DIR")
             ->required();

@@ -17,6 +17,7 @@ struct RunsOptions {
 
 struct GatherOptions {
     std::vector<std::filesystem::path> folders;
+    std::filesystem::path from;  ///< a file that names more of them, one a line; empty if none
     std::filesystem::path out;
     std::string after;                ///< time from which on a burn counts, with its unit
     std::string interval = "1 %";     ///< half-width that is wanted, of the mean
@@ -29,7 +30,7 @@ struct GatherOptions {
 int runs(const RunsOptions& options);
 
 /// Makes tables (CSV, JSON) and a page of the burns below folders.
-/// \throws InputError if there are none or they cannot be told apart.
+/// \throws InputError if a folder has none or they cannot be told apart.
 int gather(const GatherOptions& options, const std::vector<std::string>& command);
 
 }  // namespace crawford

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -45,14 +47,36 @@ std::optional<double> after_of(const GatherOptions& options) {
         fmt::format("--after = \"{}\" is before the start; give 0 s or later", options.after));
 }
 
+/// A line each; names may have blanks at their ends.
+std::vector<fs::path> folders_in(const fs::path& list) {
+    std::ifstream lines(list);
+    if (!lines) throw InputError(fmt::format("{} cannot be read", list.string()));
+    std::vector<fs::path> folders;
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty()) folders.emplace_back(line);
+    return folders;
+}
+
+std::vector<fs::path> folders_of(const GatherOptions& options) {
+    std::vector<fs::path> folders = options.folders;
+    if (!options.from.empty())
+        for (fs::path& folder : folders_in(options.from)) folders.push_back(std::move(folder));
+    if (folders.empty())
+        throw InputError("no folder is named; give one with burns, or a list with --from FILE");
+    return folders;
+}
+
+/// One that is missing would leave a mean of fewer packs than was thought.
 std::vector<FoundRun> found_in(const std::vector<fs::path>& folders) {
     std::vector<FoundRun> all;
-    for (const fs::path& folder : folders)
-        for (FoundRun& run : found_runs(folder)) all.push_back(std::move(run));
-    if (all.empty())
-        throw InputError(
-            fmt::format("{} has no burns; name a folder that crawford burn has written below",
-                        folders.front().string()));
+    for (const fs::path& folder : folders) {
+        std::vector<FoundRun> runs = found_runs(folder);
+        if (runs.empty())
+            throw InputError(
+                fmt::format("{} has no burns; name a folder that crawford burn has written below",
+                            folder.string()));
+        std::ranges::move(runs, std::back_inserter(all));
+    }
     return all;
 }
 
@@ -120,7 +144,7 @@ void tell(const reports::Ensemble& ensemble, const fs::path& out) {
 int gather(const GatherOptions& options, const CommandLine& command) {
     const auto demand = demand_of(options);
     const auto after = after_of(options);
-    const auto runs = found_in(options.folders);
+    const auto runs = found_in(folders_of(options));
     refuse_unreadable(runs);
     std::vector<reports::EnsembleBurn> burns;
     for (const FoundRun& run : runs) burns.push_back(ensemble_burn(run, after));

@@ -187,6 +187,32 @@ TEST_F(ProgramEnsemble, GathersPacksToAPointAndKeepsWhatFailed) {
     EXPECT_THAT(content(out_ / "table" / "ensemble.html"), HasSubstr("ensemble_pressure_V.svg"));
 }
 
+TEST_F(ProgramEnsemble, GathersOfAListWhatItNamesAlone) {
+    for (const char* seed : {"1", "2"})
+        EXPECT_EQ(crawford(burn(seed, {"--set", std::string("morphology.seed=") + seed})).status,
+                  0);
+    const std::string list = (out_ / "folders.txt").string();
+    const auto gathered = [&] {
+        return crawford({"gather", "--from", list, "--out", (out_ / "table").string()});
+    };
+    std::ofstream(list) << (out_ / "2").string() << '\n';
+    EXPECT_THAT(gathered().output, HasSubstr("1 of 1 packs done"));
+    const auto found = nlohmann::json::parse(content(out_ / "table" / "ensemble.json"));
+    EXPECT_EQ(found.at("burns").at(0).at("seed"), 2);
+
+    std::ofstream(list, std::ios::app) << (out_ / "3").string() << '\n';
+    EXPECT_THAT(gathered().output, HasSubstr("3 is no folder"));
+    fs::create_directories(out_ / "3");
+    const Finished short_of_one = gathered();
+    EXPECT_EQ(short_of_one.status, 2);
+    EXPECT_THAT(short_of_one.output, HasSubstr("3 has no burns"));
+
+    std::ofstream{list};
+    expect_refused({"gather", "--from", list, "--out", out()}, "no folder is named");
+    expect_refused({"gather", "--out", out()}, "no folder is named");
+    expect_refused({"gather", "--from", list + ".old", "--out", out()}, "cannot be read");
+}
+
 TEST_F(ProgramEnsemble, CountsRatesOverTheTimeThatWasAskedFor) {
     EXPECT_EQ(crawford(burn("one")).status, 0);
     EXPECT_THAT(crawford({"gather", out(), "--out", (out_ / "table").string()}).output,
