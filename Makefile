@@ -67,7 +67,7 @@ help:
 	@echo 'make ledger   settle the ledger anew: readings, refinements, other packs (hours)'
 	@echo 'make extremes maps of where answers stand, far from the paper: $(OUT)/figures/extremes.html'
 	@echo 'make ensemble burns of many packs, gathered to $(OUT)/ensemble/ensemble.html (ENSEMBLE=workflow/example.yaml);'
-	@echo '              ensemble-test kills one and changes one, ensemble-slurm tries a cluster (as root)'
+	@echo '              ensemble-test kills one, changes one, leaves one no memory; ensemble-slurm tries a cluster (as root)'
 	@echo 'make python   the Python module, in build/python (PYTHONPATH=build/python python3 -c "import crawford")'
 	@echo 'make test-python  the tests of it, and the examples for other codes'
 	@echo 'make test-freefem  FreeFEM solves two sandwiches and is judged'
@@ -157,6 +157,7 @@ ensemble-test: program
 	$(call install,$(ENSEMBLE_PACKAGES))
 	@workflow/try_kills "$(KILLED)" "$(OUT)/ensemble-test" $(KILLS)
 	@workflow/try_changes "$(OUT)/ensemble-changes"
+	@workflow/try_short_memory "$(OUT)/ensemble-memory"
 
 ensemble-slurm: program
 	$(call install,$(ENSEMBLE_PACKAGES) $(SLURM_PACKAGES))

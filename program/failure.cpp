@@ -14,6 +14,8 @@
 namespace crawford {
 
 Failure failure_of(const std::exception_ptr& problem) {
+    // First, since a call of the file system can be what found none.
+    if (is_out_of_memory(problem)) return {out_of_memory, exit_code::numbers_failed};
     try {
         std::rethrow_exception(problem);
     } catch (const InputError& error) {
@@ -29,7 +31,6 @@ Failure failure_of(const std::exception_ptr& problem) {
         return {fmt::format("a file cannot be read or written: {}", error.what()),
                 exit_code::wrong_input};
     } catch (const std::exception& error) {
-        if (is_out_of_memory(problem)) return {out_of_memory, exit_code::numbers_failed};
         return {fmt::format("internal error: {}", error.what()), exit_code::numbers_failed};
     }
 }

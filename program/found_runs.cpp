@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr std::string_view failed = "failed: ";
+constexpr std::string_view cut_off = "cut off: ";
 
 /// A manifest of a burn; figures have others, under other names.
 bool is_of_a_burn(const Json& manifest) {
@@ -69,7 +70,8 @@ void fill(FoundRun& run, const Json& manifest) {
     for (const Json& remark : manifest.value("remarks", Json::array()))
         run.remarks[remark.at("name")] = remark.at("text");
     const auto outcome = manifest.at("outcome").get<std::string>();
-    if (outcome.starts_with(failed)) run.reason = outcome.substr(failed.size());
+    for (const std::string_view kind : {failed, cut_off})
+        if (outcome.starts_with(kind)) run.reason = outcome.substr(kind.size());
     run.state = state_of(run, outcome);
 }
 

@@ -27,7 +27,7 @@ std::string name_of(RunState state);
 struct FoundRun {
     std::filesystem::path folder;
     RunState state = RunState::unreadable;
-    std::string reason;              ///< why it failed or cannot be read
+    std::string reason;              ///< why it failed, was cut off or cannot be read, if known
     std::string key;                 ///< of the scene (run_identity.hpp)
     std::string name;                ///< what its files' names begin with; empty without a history
     std::optional<Scene> scene;      ///< none if unreadable

@@ -1,16 +1,22 @@
 /// `crawford`: see help.hpp for what it says about itself.
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 
 #include "base/errors.hpp"
+#include "base/room.hpp"
 #include "program/command_line.hpp"
 #include "program/failure.hpp"
 
 namespace {
 
+/// What libraries want as they start, and some of them end badly without (udunits2 says that its units are missing).
+constexpr std::size_t to_begin_with = 16 << 20;
+
 int obey(const crawford::CommandLine& arguments) {
+    crawford::look_for_room(to_begin_with);
     const auto wanted = crawford::read_command_line(arguments);
     int code = crawford::exit_code::done;
     if (const auto* action = std::get_if<crawford::Action>(&wanted))

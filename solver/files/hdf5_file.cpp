@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <concepts>
+#include <new>
 #include <random>
 #include <utility>
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/room.hpp"
 
 namespace crawford {
 
@@ -42,6 +44,19 @@ std::string reason() {
     return text.substr(message, text.find('\'', message) - message);
 }
 
+bool is_out_of_memory() {
+    bool found = false;
+    H5Ewalk2(
+        H5E_DEFAULT, H5E_WALK_UPWARD,
+        [](unsigned, const H5E_error2_t* entry, void* result) -> herr_t {
+            *static_cast<bool*>(result) |=
+                entry->min_num == H5E_CANTALLOC || entry->min_num == H5E_NOSPACE;
+            return 0;
+        },
+        &found);
+    return found;
+}
+
 hsize_t product(const Hdf5File::Shape& shape) {
     hsize_t size = 1;
     for (const hsize_t extent : shape) size *= extent;
@@ -67,6 +82,11 @@ Hdf5Handle text_type() {
 
 }  // namespace
 
+void look_for_room_for_hdf5() {
+    constexpr size_t cache_and_first_pages = 16 << 20;  // ten times of what it takes for them
+    look_for_room(cache_and_first_pages);
+}
+
 Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
     if (this != &other) {
         close();
@@ -81,13 +101,14 @@ bool Hdf5Handle::close() {
     return closer_(std::exchange(id_, H5I_INVALID_HID)) >= 0;
 }
 
-Hdf5File::Hdf5File(std::filesystem::path path, const char* purpose)
+Hdf5File::Hdf5File(std::filesystem::path path, Purpose purpose)
     : path_(std::move(path)), purpose_(purpose) {
+    look_for_room_for_hdf5();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 Hdf5File Hdf5File::create(const std::filesystem::path& path) {
-    Hdf5File file(path, "write");
+    Hdf5File file(path, Purpose::write);
     const Hdf5Handle in_memory = file.checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "");
     file.check(H5Pset_fapl_core(in_memory.id(), increment, false) >= 0, "");
     file.file_ = file.checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory.id()),
@@ -96,13 +117,13 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path) {
 }
 
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
-    Hdf5File file(path, "read");
+    Hdf5File file(path, Purpose::read);
     file.file_ = file.checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "");
     return file;
 }
 
 Hdf5File Hdf5File::of(std::string_view image, const std::filesystem::path& path) {
-    Hdf5File file(path, "read");
+    Hdf5File file(path, Purpose::read);
     const Hdf5Handle in_memory = file.checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "");
     file.check(H5Pset_fapl_core(in_memory.id(), increment, false) >= 0, "");
     // A name that no file on the disk has, as HDF5 asks, and no other file in memory: those it would share.
@@ -116,7 +137,10 @@ Hdf5File Hdf5File::of(std::string_view image, const std::filesystem::path& path)
 
 void Hdf5File::check(bool success, const std::string& object) const {
     if (success) return;
-    throw InputError(fmt::format("cannot {} {}{}{}: {}", purpose_, object,
+    // What is read may ask for any amount: then it is the file that is wrong.
+    if (purpose_ == Purpose::write && is_out_of_memory()) throw std::bad_alloc();
+    const char* const purpose = purpose_ == Purpose::write ? "write" : "read";
+    throw InputError(fmt::format("cannot {} {}{}{}: {}", purpose, object,
                                  object.empty() ? "" : " of ", path_.string(), reason()));
 }
 

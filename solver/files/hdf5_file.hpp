@@ -14,6 +14,11 @@
 
 namespace crawford {
 
+/// HDF5 1.10 uses its cache and its own tables even where it found no memory for them, and ends by a signal: so whoever
+/// calls it first, or makes a file, looks for it before.
+/// \throws std::bad_alloc if there is none.
+void look_for_room_for_hdf5();
+
 /// Owns one HDF5 identifier.
 class Hdf5Handle {
 public:
@@ -83,7 +88,8 @@ public:
     void publish();
 
 private:
-    Hdf5File(std::filesystem::path path, const char* purpose);
+    enum class Purpose { read, write };
+    Hdf5File(std::filesystem::path path, Purpose purpose);
 
     Hdf5Handle checked(hid_t id, Hdf5Handle::Closer closer, const std::string& object) const;
     void check(bool success, const std::string& object) const;
@@ -92,7 +98,7 @@ private:
     void check_room(hid_t dataset, const std::string& path) const;
 
     std::filesystem::path path_;
-    const char* purpose_;  ///< "read" or "write"
+    Purpose purpose_;
     Hdf5Handle file_;
 };
 

@@ -14,6 +14,8 @@
 #include <string>
 #include <thread>
 
+#include "solver/files/hdf5_file.hpp"
+
 namespace crawford {
 
 namespace {
@@ -52,6 +54,7 @@ std::string blas() {
 }
 
 std::string hdf5() {
+    look_for_room_for_hdf5();
     unsigned major = 0, minor = 0, release = 0;
     H5get_libversion(&major, &minor, &release);
     return fmt::format("{}.{}.{}", major, minor, release);

@@ -23,7 +23,9 @@ struct RunResults {
 };
 
 struct Manifest {
-    std::string outcome;               ///< "running", "done", "interrupted" or "failed: ..."
+    /// "running", "done", "interrupted", "failed: ..." (its numbers), or "cut off: ...": by a disk or
+    /// memory that had no room, so that it can go on.
+    std::string outcome;
     std::vector<std::string> command;  ///< the command line
     std::string scene;                 ///< canonical TOML
     std::string left_out;              ///< of it, because it changes nothing; may be empty

@@ -1,13 +1,14 @@
 #include "solver/linear_solvers/one_thread.hpp"
 
 #include <omp.h>
-#include <sys/mman.h>
 
 #include <cstddef>
 #include <mutex>
 #include <new>
 #include <set>
 #include <vector>
+
+#include "base/room.hpp"
 
 extern "C" {
 void openblas_set_num_threads(int count);
@@ -19,14 +20,7 @@ namespace crawford {
 
 namespace {
 
-/// \throws std::bad_alloc if there is no room for one more work space of OpenBLAS.
-void look_for_room() {
-    constexpr std::size_t work_space = std::size_t{32} << 22;  // BUFFER_SIZE of OpenBLAS on x86_64
-    void* const room =
-        ::mmap(nullptr, work_space, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (room == MAP_FAILED) throw std::bad_alloc();
-    ::munmap(room, work_space);
-}
+constexpr std::size_t work_space = std::size_t{32} << 22;  // BUFFER_SIZE of OpenBLAS on x86_64
 
 /// Work spaces that a thread holds for a moment.
 class Taken {
@@ -42,7 +36,7 @@ public:
 
     /// One more, which OpenBLAS maps if none that it has is free.
     void* one() {
-        look_for_room();
+        look_for_room(work_space);
         return spaces_.emplace_back(blas_memory_alloc(0));
     }
 

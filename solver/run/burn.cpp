@@ -63,8 +63,14 @@ public:
             advance(recorder);
         } catch (const NumericalFailure& failure) {
             give_up(recorder, failure);
+        } catch (const InputError& problem) {
+            note_end(std::string("cut off: ") + problem.what());
+            throw;
+        } catch (const std::bad_alloc&) {
+            note_end("cut off: out of memory");
+            throw;
         } catch (const std::exception& problem) {
-            note_end(problem);
+            note_end(std::string("failed: ") + problem.what());
             throw;
         }
         const auto checkpoint = recorder.keep(simulation_, memory());
@@ -153,9 +159,9 @@ private:
     RunMemory memory() const { return {steadiness_.window(), steps_->choice()}; }
 
     /// Says in the manifest how it ended, as far as anything can still be written.
-    void note_end(const std::exception& problem) {
+    void note_end(const std::string& how) {
         try {
-            write(std::string("failed: ") + problem.what());
+            write(how);
         } catch (const InputError&) {
             // The disk is full, say: what has gone wrong before is told, and that is the cause.
         }

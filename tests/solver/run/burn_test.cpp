@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.hpp"
@@ -128,6 +129,21 @@ TEST_F(OutputBurn, ThatFailsBeyondALimitNamesItInsteadOfASmallerStep) {
     const auto message = message_of<NumericalFailure>([&] { burn(runs_away, options("out")); });
     EXPECT_NE(message.find("likely because of onset = "), std::string::npos) << message;
     EXPECT_EQ(message.find("; reduce time.step"), std::string::npos) << message;
+}
+
+/// What the machine could not do says nothing of the numbers.
+TEST_F(OutputBurn, WithoutRoomIsCutOffAndHasNotFailed) {
+    BurnOptions short_of_memory = options("memory");
+    short_of_memory.watch = [](const BurnProgress& progress) {
+        if (progress.now.step == 30) throw std::bad_alloc();
+    };
+    EXPECT_THROW(burn(sandwich(), short_of_memory), std::bad_alloc);
+    EXPECT_EQ(manifest_outcome("memory"), "cut off: out of memory");
+
+    BurnOptions disk_full = options("disk");
+    disk_full.watch = [](const BurnProgress&) { throw InputError("no space left"); };
+    EXPECT_THROW(burn(sandwich(), disk_full), InputError);
+    EXPECT_EQ(manifest_outcome("disk"), "cut off: no space left");
 }
 
 TEST_F(OutputBurn, IntoAnUnwritableDirectoryDoesNotBegin) {
