@@ -198,7 +198,7 @@ TEST_F(ProgramEnsemble, GathersOfAListWhatItNamesAlone) {
     std::ofstream(list) << (out_ / "2").string() << '\n';
     EXPECT_THAT(gathered().output, HasSubstr("1 of 1 packs done"));
     const auto found = nlohmann::json::parse(content(out_ / "table" / "ensemble.json"));
-    EXPECT_EQ(found.at("burns").at(0).at("seed"), 2);
+    EXPECT_EQ(found.at("burns").at(0).at("seed"), "2");
 
     std::ofstream(list, std::ios::app) << (out_ / "3").string() << '\n';
     EXPECT_THAT(gathered().output, HasSubstr("3 is no folder"));
