@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "base/room.hpp"
 
 namespace crawford {
 
@@ -25,6 +26,9 @@ using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 Unit own(ut_unit* unit) {
     return {unit, &ut_free};
 }
+
+/// Where udunits2's scanner finds no memory it ends the program, with a code and a line of its own.
+constexpr std::size_t for_a_scanner = 1 << 20;
 
 System read_system() {
     // What is wrong is said by our exceptions and not, a second time, on stderr.
@@ -60,6 +64,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 Unit parse_unit(std::string_view text) {
+    look_for_room(for_a_scanner);
     const std::string one_over = text.starts_with('/') ? "1" : "";
     return own(ut_parse(unit_system(), (one_over + std::string(text)).c_str(), UT_ASCII));
 }
