@@ -96,6 +96,9 @@ int list(const ListOptions& options);
 /// is computed.
 int run(const RunOptions& options, const CommandLine& command);
 
+/// The same amid another command, which watches for signals itself.
+int draw_cases(const RunOptions& options, const CommandLine& command);
+
 /// Writes DIR/figures/ledger.json and its page: settled anew, or as it lies in the source tree. Of
 /// some figures only, DIR/figures/ledger-FIGURE....json.
 /// \throws InputError naming the nearest case if a figure is unknown or shows no claim.

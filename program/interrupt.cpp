@@ -1,16 +1,21 @@
 #include "program/interrupt.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <stdexcept>
 
 namespace crawford {
 
 namespace {
 
-/// All that a signal handler may touch.
-volatile std::sig_atomic_t caught = 0;
+/// A signal handler writes it and other threads read it, so it must be atomic, and without a lock.
+std::atomic<int> caught = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+std::atomic<bool> is_watched = false;
 
 void note(int signal) {
     caught = signal;
@@ -19,6 +24,7 @@ void note(int signal) {
 }  // namespace
 
 Interrupt::Interrupt() {
+    if (is_watched.exchange(true)) throw std::logic_error("signals are watched already");
     caught = 0;
     struct sigaction action {};
     action.sa_handler = note;
@@ -30,6 +36,7 @@ Interrupt::Interrupt() {
 Interrupt::~Interrupt() {
     ::sigaction(SIGINT, &old_interrupt_, nullptr);
     ::sigaction(SIGTERM, &old_terminate_, nullptr);
+    is_watched = false;
 }
 
 int Interrupt::signal() const {

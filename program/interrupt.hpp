@@ -8,9 +8,10 @@
 
 namespace crawford {
 
-/// As long as it lives a signal is only noted. One at a time.
+/// As long as it lives a signal is only noted.
 class Interrupt {
 public:
+    /// \throws std::logic_error if another lives: it would forget a signal that the other has noted.
     Interrupt();
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;

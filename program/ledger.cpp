@@ -76,7 +76,7 @@ void draw(const Cases& cases, const LedgerOptions& options, const CommandLine& c
                        .threads = options.threads,
                        .quiet = options.quiet};
     for (const Entry* entry : cases) drawing.cases.push_back(entry->name);
-    if (run(drawing, command) != exit_code::done)
+    if (draw_cases(drawing, command) != exit_code::done)
         throw NumericalFailure("a case that the ledger cites could not be drawn");
 }
 

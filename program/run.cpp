@@ -204,6 +204,10 @@ private:
 
 int run(const RunOptions& options, const CommandLine& command) {
     const LeaveOnSignal leave(command);
+    return draw_cases(options, command);
+}
+
+int draw_cases(const RunOptions& options, const CommandLine& command) {
     return Run(options, command).all();
 }
 
