@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
+#include "base/whole_number.hpp"
 #include "program/burn_folder.hpp"
 #include "solver/run/run_identity.hpp"
 #include "solver/scene/read_scene.hpp"
@@ -64,7 +65,7 @@ void fill(FoundRun& run, const Json& manifest) {
     run.scene = parse_scene(manifest.at("scene").get<std::string>());
     run.key = key_of(*run.scene);
     run.solver_fingerprint = manifest.value("solver_fingerprint", "");
-    run.seeds = manifest.value("seeds", std::vector<std::uint64_t>());
+    if (manifest.contains("seeds")) run.seeds = whole_numbers<std::uint64_t>(manifest.at("seeds"));
     run.time = manifest.value("time_seconds", 0.0);
     if (manifest.contains("results")) run.results = results_in(manifest.at("results"));
     for (const Json& remark : manifest.value("remarks", Json::array()))

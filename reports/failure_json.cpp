@@ -1,5 +1,9 @@
 #include "reports/failure_json.hpp"
 
+#include <concepts>
+
+#include "base/whole_number.hpp"
+
 namespace crawford {
 
 namespace {
@@ -19,9 +23,13 @@ void put(Json& json, const char* key, const std::optional<Value>& value) {
     if (value) json[key] = *value;
 }
 
-template <class Value>
-void take(const Json& json, const char* key, std::optional<Value>& value) {
-    if (json.contains(key)) value = json.at(key).get<Value>();
+void take(const Json& json, const char* key, std::optional<double>& value) {
+    if (json.contains(key)) value = json.at(key).get<double>();
+}
+
+template <std::integral Whole>
+void take(const Json& json, const char* key, std::optional<Whole>& value) {
+    if (json.contains(key)) value = whole_number<Whole>(json.at(key));
 }
 
 }  // namespace
@@ -56,7 +64,7 @@ void from_json(const Json& json, FailureFields& fields) {
         fields.limit = {limit.at("value"), limit.at("is_least"), limit.at("condition")};
     }
     if (json.contains("place")) {
-        fields.place = {json.at("place").at("of"), json.at("place").at("i")};
+        fields.place = {json.at("place").at("of"), whole_number<int>(json.at("place").at("i"))};
         take(json.at("place"), "j", fields.place->j);
     }
     take(json, "step", fields.step);

@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/whole_number.hpp"
+
 namespace crawford::reports {
 
 namespace {
@@ -72,9 +74,10 @@ void from_json(const Json& json, FigureContents& contents) {
     for (const auto& [name, value] : json.at("variables").items())
         contents.variables[name] = variable(value);
     for (const auto& panel : json.at("panels"))
-        contents.panels.push_back({panel.at("name"),
-                                   format_named(panel.at("format")),
-                                   {panel.at("width"), panel.at("height")}});
+        contents.panels.push_back(
+            {panel.at("name"),
+             format_named(panel.at("format")),
+             {whole_number<int>(panel.at("width")), whole_number<int>(panel.at("height"))}});
 }
 
 }  // namespace crawford::reports

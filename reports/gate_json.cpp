@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/whole_number.hpp"
+
 namespace crawford::reports {
 namespace {
 
@@ -75,14 +77,14 @@ void from_json(const Json& json, GateResult& r) {
     json.at("quantity").get_to(r.quantity);
     json.at("norm").get_to(r.norm);
     r.kind = json.at("kind") == "order" ? GateKind::order : GateKind::bound;
-    json.at("grids").get_to(r.grids);
+    r.grids = whole_numbers<int>(json.at("grids"));
     r.h = numbers(json, "h");
     r.errors = numbers(json, "errors");
     r.values = numbers(json, "values");
     r.pairwise = numbers(json, "pairwise_orders");
     r.scale = number(json, "scale");
-    json.at("coarsest").get_to(r.coarsest);
-    json.at("finest").get_to(r.finest);
+    r.coarsest = whole_number<int>(json.at("coarsest"));
+    r.finest = whole_number<int>(json.at("finest"));
     r.fit = number(json, "fit");
     r.expected = number(json, "expected");
     read_tolerance(json.at("tolerance"), r);

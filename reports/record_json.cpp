@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/whole_number.hpp"
 #include "reports/failure_json.hpp"
 #include "reports/figure_json.hpp"
 
@@ -79,6 +80,10 @@ Ending::Kind ending_named(const std::string& word) {
     throw std::invalid_argument(word + " is no outcome");
 }
 
+long count_in(const Json& cost, const char* name) {
+    return cost.contains(name) ? whole_number<long>(cost.at(name)) : 0;
+}
+
 Json failure(const Ending& ending) {
     Json json = {{"message", ending.message}};
     if (ending.failure) json.update(Json(*ending.failure));
@@ -109,7 +114,7 @@ void from_json(const Json& json, Setting& setting) {
         if (value.is_object())
             setting.set(axis, Amount{number(value.at("value")), value.at("unit")});
         else if (value.is_number_integer())
-            setting.set(axis, value.get<long>());
+            setting.set(axis, whole_number<long>(value));
         else
             setting.set(axis, value.get<std::string>());
     }
@@ -142,10 +147,10 @@ void from_json(const Json& json, Record& record) {
     const auto& cost = json.at("cost");
     record.cost = {cost.at("wall_seconds"),
                    cost.at("cpu_seconds"),
-                   cost.at("peak_memory_bytes"),
-                   {.steps = cost.value("steps", 0L),
-                    .cells = cost.value("cells", 0L),
-                    .solver_iterations = cost.value("solver_iterations", 0L)}};
+                   whole_number<long>(cost.at("peak_memory_bytes")),
+                   {.steps = count_in(cost, "steps"),
+                    .cells = count_in(cost, "cells"),
+                    .solver_iterations = count_in(cost, "solver_iterations")}};
     record.ending.kind = ending_named(json.at("outcome"));
     if (!record.ending.is_done()) {
         read_failure(json.at("failure"), record.ending);

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/whole_number.hpp"
 #include "reports/gate_json.hpp"
 #include "reports/json_problem.hpp"
 #include "reports/judgement.hpp"
@@ -38,7 +39,7 @@ void from_json(const Json& json, StudyRecord& s) {
     json.at("command").get_to(s.command);
     json.at("covers").get_to(s.covers);
     s.axis = json.value("axis", "");  // an older report does not say
-    json.at("grids").get_to(s.grids);
+    s.grids = whole_numbers<int>(json.at("grids"));
     json.at("seconds").get_to(s.seconds);
     json.at("page").get_to(s.page);
 }
