@@ -9,6 +9,7 @@
 #include "base/room.hpp"
 #include "program/command_line.hpp"
 #include "program/failure.hpp"
+#include "solver/scene/units.hpp"
 
 namespace {
 
@@ -19,10 +20,12 @@ int obey(const crawford::CommandLine& arguments) {
     crawford::look_for_room(to_begin_with);
     const auto wanted = crawford::read_command_line(arguments);
     int code = crawford::exit_code::done;
-    if (const auto* action = std::get_if<crawford::Action>(&wanted))
+    if (const auto* action = std::get_if<crawford::Action>(&wanted)) {
+        crawford::prepare_units();
         code = (*action)();
-    else
+    } else {
         std::cout << std::get<crawford::Answer>(wanted).text;
+    }
     if (!std::cout.flush())
         throw crawford::InputError("cannot write to standard output; is the disk full?");
     return code;

@@ -27,10 +27,12 @@ Unit own(ut_unit* unit) {
     return {unit, &ut_free};
 }
 
-/// Where udunits2's scanner finds no memory it ends the program, with a code and a line of its own.
-constexpr std::size_t for_a_scanner = 1 << 20;
+/// Where udunits2's scanner finds no memory it ends the program, with a code and a line of its own. It takes a few kB; the rest is
+/// for what other threads take in between.
+constexpr std::size_t for_a_scanner = 16 << 20;
 
 System read_system() {
+    look_for_room(for_a_scanner);
     // What is wrong is said by our exceptions and not, a second time, on stderr.
     ut_set_error_message_handler(&ut_ignore);
     System system(ut_read_xml(nullptr), &ut_free_system);
@@ -156,6 +158,14 @@ double read_quantity(std::string_view quantity, std::string_view unit) {
     const double value = cv_convert_double(converter.get(), number);
     if (!std::isfinite(value)) throw InputError("is not finite");
     return value;
+}
+
+void prepare_units() {
+    try {
+        unit_system();
+    } catch (const InputError&) {
+        // Many commands need no units.
+    }
 }
 
 }  // namespace crawford

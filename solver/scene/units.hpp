@@ -14,4 +14,10 @@ namespace crawford {
 ///         no unit, a second number, a shifted zero ("K @ 10", "K since 10"), an unknown unit, another dimension than that of `unit`, a value not finite.
 double read_quantity(std::string_view quantity, std::string_view unit);
 
+/// Reads the database of units, which is otherwise done at the first quantity: to be called before threads are started, since
+/// udunits2 ends by a signal where they take the memory that it wants for it. That there is no database is for those to say who
+/// need it.
+/// \throws std::bad_alloc
+void prepare_units();
+
 }  // namespace crawford
