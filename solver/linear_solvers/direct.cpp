@@ -70,7 +70,7 @@ public:
     }
 
     int solve(const SparseMatrix& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
-        use_one_thread();
+        const Calls calls = use_one_thread();
         if (!matrix_) begin(lower);
         factorise(factor_, matrix_->of(lower));
         x = matrix_->restored(factor_.solve(matrix_->permuted(b)));

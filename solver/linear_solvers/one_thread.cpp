@@ -6,6 +6,7 @@
 #include <mutex>
 #include <new>
 #include <set>
+#include <shared_mutex>
 #include <vector>
 
 #include "base/room.hpp"
@@ -45,23 +46,30 @@ private:
 };
 
 /// OpenBLAS maps a work space when none that it has is free, tries for ever where it cannot, and
-/// never gives one back. So there are as many as threads that call it, before they do.
+/// never gives one back. So there are as many as threads that call it, before they do; and none
+/// calls it while one more is mapped, when all that there are may be taken.
 class WorkSpaces {
 public:
     /// \throws std::bad_alloc
     void add_thread() {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard no_more_calls(gate_);
+        const std::lock_guard lock(calls_);
         Taken taken;
         while (mapped_.size() <= threads_) mapped_.insert(taken.one());
         ++threads_;
     }
     void end_thread() {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard no_more_calls(gate_);
         --threads_;
+    }
+    Calls call() {
+        const std::lock_guard in_turn(gate_);
+        return Calls(calls_);
     }
 
 private:
-    std::mutex mutex_;
+    std::mutex gate_;  ///< a thread that is added need not wait for calls that come after it
+    std::shared_mutex calls_;
     std::set<void*> mapped_;
     std::size_t threads_ = 0;
 };
@@ -84,13 +92,14 @@ public:
 
 }  // namespace
 
-void use_one_thread() {
+Calls use_one_thread() {
     thread_local const Caller caller;
     static_cast<void>(caller);
     // No level of parallel regions may be active: a num_threads clause, as CHOLMOD's, overrides any
     // other setting.
     omp_set_max_active_levels(0);
     openblas_set_num_threads(1);
+    return work_spaces().call();
 }
 
 }  // namespace crawford
