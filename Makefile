@@ -73,7 +73,7 @@ help:
 	@echo 'make test-freefem  FreeFEM solves two sandwiches and is judged'
 	@echo 'make bench    how fast the parts are, and against results/bench.json'
 	@echo 'make fuzz     broken bytes for every reader of files (SECONDS_EACH=600; now $(SECONDS_EACH))'
-	@echo 'make sanitize the tests under sanitizers of memory, arithmetic and threads, a burn under valgrind (an hour)'
+	@echo 'make sanitize the tests under sanitizers of memory, arithmetic and threads, a burn under valgrind (1.5 h)'
 	@echo 'make coverage which lines of solver/ and reference/ the tests run: build/coverage/coverage.html (an hour)'
 	@echo 'make deps     install what is missing of the Debian packages that Crawford needs'
 	@echo 'make format   put all sources into the one format; make check-format only looks'
