@@ -4,10 +4,10 @@
 
 #include <filesystem>
 #include <ios>
-#include <new>
 #include <system_error>
 
 #include "base/errors.hpp"
+#include "base/room.hpp"
 #include "program/commands.hpp"
 #include "reports/figure.hpp"
 
@@ -32,20 +32,6 @@ Failure failure_of(const std::exception_ptr& problem) {
                 exit_code::wrong_input};
     } catch (const std::exception& error) {
         return {fmt::format("internal error: {}", error.what()), exit_code::numbers_failed};
-    }
-}
-
-bool is_out_of_memory(const std::exception_ptr& problem) {
-    try {
-        std::rethrow_exception(problem);
-    } catch (const std::bad_alloc&) {
-        return true;
-    } catch (const std::system_error& error) {
-        // A thread that finds no room for its stack.
-        return error.code() == std::errc::resource_unavailable_try_again ||
-               error.code() == std::errc::not_enough_memory;
-    } catch (...) {
-        return false;
     }
 }
 

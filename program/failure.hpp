@@ -16,6 +16,4 @@ inline constexpr auto out_of_memory = "out of memory; use fewer cells";
 
 Failure failure_of(const std::exception_ptr& problem);
 
-bool is_out_of_memory(const std::exception_ptr& problem);
-
 }  // namespace crawford

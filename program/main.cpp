@@ -1,5 +1,4 @@
 /// `crawford`: see help.hpp for what it says about itself.
-#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -13,11 +12,9 @@
 
 namespace {
 
-/// What libraries want as they start, and some of them end badly without (udunits2 says that its units are missing).
-constexpr std::size_t to_begin_with = 16 << 20;
-
 int obey(const crawford::CommandLine& arguments) {
-    crawford::look_for_room(to_begin_with);
+    // Some libraries end badly without: udunits2 says that its units are missing.
+    crawford::look_for_room(crawford::for_a_library);
     const auto wanted = crawford::read_command_line(arguments);
     int code = crawford::exit_code::done;
     if (const auto* action = std::get_if<crawford::Action>(&wanted)) {

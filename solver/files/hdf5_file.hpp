@@ -14,11 +14,6 @@
 
 namespace crawford {
 
-/// HDF5 1.10 uses its cache and its own tables even where it found no memory for them, and ends by a signal: so whoever
-/// calls it first, or makes a file, looks for it before.
-/// \throws std::bad_alloc if there is none.
-void look_for_room_for_hdf5();
-
 /// Owns one HDF5 identifier.
 class Hdf5Handle {
 public:

@@ -12,6 +12,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/room.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/manifest.hpp"
 #include "solver/guards/predicted.hpp"
@@ -66,11 +67,10 @@ public:
         } catch (const InputError& problem) {
             note_end(std::string("cut off: ") + problem.what());
             throw;
-        } catch (const std::bad_alloc&) {
-            note_end("cut off: out of memory");
-            throw;
         } catch (const std::exception& problem) {
-            note_end(std::string("failed: ") + problem.what());
+            note_end(is_out_of_memory(std::current_exception())
+                         ? "cut off: out of memory"
+                         : std::string("failed: ") + problem.what());
             throw;
         }
         const auto checkpoint = recorder.keep(simulation_, memory());

@@ -27,12 +27,7 @@ Unit own(ut_unit* unit) {
     return {unit, &ut_free};
 }
 
-/// Where udunits2's scanner finds no memory it ends the program, with a code and a line of its own. It takes a few kB; the rest is
-/// for what other threads take in between.
-constexpr std::size_t for_a_scanner = 16 << 20;
-
 System read_system() {
-    look_for_room(for_a_scanner);
     // What is wrong is said by our exceptions and not, a second time, on stderr.
     ut_set_error_message_handler(&ut_ignore);
     System system(ut_read_xml(nullptr), &ut_free_system);
@@ -66,7 +61,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 Unit parse_unit(std::string_view text) {
-    look_for_room(for_a_scanner);
+    // Where udunits2's scanner finds no memory it ends the program, with a code and a line of its own.
+    look_for_room(for_a_library);
     const std::string one_over = text.starts_with('/') ? "1" : "";
     return own(ut_parse(unit_system(), (one_over + std::string(text)).c_str(), UT_ASCII));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -138,6 +139,13 @@ TEST_F(OutputBurn, WithoutRoomIsCutOffAndHasNotFailed) {
         if (progress.now.step == 30) throw std::bad_alloc();
     };
     EXPECT_THROW(burn(sandwich(), short_of_memory), std::bad_alloc);
+    EXPECT_EQ(manifest_outcome("memory"), "cut off: out of memory");
+
+    short_of_memory.watch = [](const BurnProgress&) {
+        throw std::filesystem::filesystem_error("",
+                                                std::make_error_code(std::errc::not_enough_memory));
+    };
+    EXPECT_THROW(burn(sandwich(), short_of_memory), std::filesystem::filesystem_error);
     EXPECT_EQ(manifest_outcome("memory"), "cut off: out of memory");
 
     BurnOptions disk_full = options("disk");
