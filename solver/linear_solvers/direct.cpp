@@ -33,11 +33,20 @@ void analyse(Factorisation& factorisation, const SparseMatrix& lower) {
     refuse_short_memory(factorisation);
 }
 
+/// L D L^T is found of any symmetric matrix: the signs of D tell.
+template <class Factorisation>
+bool is_positive_definite(const Factorisation& factorisation) {
+    if (factorisation.info() != Eigen::Success) return false;
+    if constexpr (requires { factorisation.vectorD(); })
+        return (factorisation.vectorD().array() > 0.0).all();
+    return true;
+}
+
 template <class Factorisation>
 void factorise(Factorisation& factorisation, const SparseMatrix& lower) {
     factorisation.factorize(lower);
     refuse_short_memory(factorisation);
-    if (factorisation.info() != Eigen::Success)
+    if (!is_positive_definite(factorisation))
         throw NumericalFailure({.kind = FailureFields::Kind::not_positive_definite,
                                 .module = "linear solver",
                                 .quantity = "the matrix"});

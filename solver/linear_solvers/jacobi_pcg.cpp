@@ -33,6 +33,11 @@ public:
                  .value = pcg.error(),
                  .limit = FailureLimit{.value = tolerance_},
                  .advice = "take numerics.solver = \"cholmod\""});
+        // x.Ax: an iteration sees no more of the matrix than its answer.
+        if (b.dot(x) < 0.0)
+            throw NumericalFailure({.kind = FailureFields::Kind::not_positive_definite,
+                                    .module = "linear solver",
+                                    .quantity = "the matrix"});
         return int(pcg.iterations());
     }
 

@@ -18,7 +18,8 @@ public:
 
     /// Solves A x = b. `x` enters as the first guess.
     /// \returns the number of iterations, 0 for a direct solver.
-    /// \throws NumericalFailure if A is not positive definite or the iteration does not converge.
+    /// \throws NumericalFailure if A is not positive definite, which an iterative solver may miss
+    /// where x.Ax > 0, or if the iteration does not converge.
     virtual int solve(const SparseMatrix& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
 };
 
