@@ -170,23 +170,5 @@ SlabState Slab::state(double y) const {
 double Slab::temperature(double y) const {
     return state(y).temperature;
 }
-double Slab::velocity(double y) const {
-    return state(y).velocity;
-}
-double Slab::stress_11(double y) const {
-    return state(y).stress_11;
-}
-double Slab::stress_22(double y) const {
-    return state(y).stress_22;
-}
-double Slab::stress_33(double y) const {
-    return state(y).stress_33;
-}
-double Slab::pressure(double y) const {
-    return state(y).pressure;
-}
-double Slab::deformation_gradient_22(double y) const {
-    return state(y).deformation_gradient_22;
-}
 
 }  // namespace crawford::reference

@@ -13,12 +13,18 @@ namespace crawford::reference {
 struct SlabState {
     double temperature;           ///< T [K]
     double temperature_gradient;  ///< dT/dy [K/m]
-    double velocity;              ///< v [m/s] of the solid above its cold speed: D y/Dt = r_b + v
-    double stress_11;             ///< [Pa], equal to stress_33
-    double stress_22;             ///< [Pa], -p_c everywhere
-    double stress_33;             ///< [Pa]
-    double pressure;              ///< -(trace of stress)/3 [Pa]
-    double deformation_gradient_22;  ///< F22, see Slab::deformation_gradient_22
+    /// v [m/s] of the solid above its cold speed: D y/Dt = r_b + v. r_b expm1(theta D) in a body
+    /// that deforms finitely (eulerian, mass_conserving), r_b theta D at small strain
+    /// (kuznetsov_stewart), 0 where nothing expands (thermal).
+    double velocity;
+    double stress_11;  ///< -(lambda/P) p_c - 2 mu theta D [Pa]
+    double stress_22;  ///< -p_c everywhere [Pa]
+    double stress_33;  ///< as stress_11 [Pa]
+    double pressure;   ///< -(trace of stress)/3 [Pa]
+    /// F22. Finite deformation: exp(theta D), relative to the incoming material, which is already
+    /// pressed by p_c (a reference map that enters the window as xi_2 = y has no memory of that).
+    /// Kuznetsov-Stewart: 1 + theta D - p_c/P, relative to stress-free material. Thermal: 1.
+    double deformation_gradient_22;
     double rise;  ///< T - T0 [K], which far below is less than T tells apart from T0
 };
 
@@ -39,21 +45,9 @@ public:
     double bottom_flux() const { return bottom_flux_; }  ///< C [W/m^2], out through y = -depth
 
     double temperature(double y) const;  ///< T [K] at y [m]
-    /// v [m/s]: r_b expm1(theta D) in a body that deforms finitely (eulerian, mass_conserving), r_b
-    /// theta D at small strain (kuznetsov_stewart), 0 where nothing expands (thermal).
-    double velocity(double y) const;
-    double stress_11(double y) const;  ///< -(lambda/P) p_c - 2 mu theta D [Pa]
-    double stress_22(double y) const;  ///< -p_c [Pa]
-    double stress_33(double y) const;  ///< as stress_11 [Pa]
-    double pressure(double y) const;   ///< -(trace of stress)/3 [Pa]
-    /// F22. Finite deformation: exp(theta D), relative to the incoming material, which is already
-    /// pressed by p_c (a reference map that enters the window as xi_2 = y has no memory of that).
-    /// Kuznetsov-Stewart: 1 + theta D - p_c/P, relative to stress-free material. Thermal: 1.
-    double deformation_gradient_22(double y) const;
-
-    /// All of the above at one depth y [m].
+    /// All that is known at one depth y [m].
     SlabState state(double y) const;
-    /// All of the above at many depths, in any order; much cheaper than one by one.
+    /// At many depths, in any order; much cheaper than one by one.
     std::vector<SlabState> states(std::span<const double> y) const;
 
 private:

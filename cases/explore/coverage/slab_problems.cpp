@@ -28,7 +28,7 @@ std::vector<KnownValue> steady_values(const Slab& slab, int rows) {
     const SlabProfile run = burn_to_steady(slab.scene());
     const reference::Slab exact(slab.conditions(reference::SlabModel::eulerian));
     std::vector<KnownValue> values{
-        {"v at 1 [m/s]", run.velocity.back(), exact.velocity(0.0)},
+        {"v at 1 [m/s]", run.velocity.back(), exact.state(0.0).velocity},
         {"T at 1 [K]", run.temperature.back(), exact.surface_temperature()},
         {"burn rate [m/s]", run.burn_rate, exact.burn_rate()}};
     for (const double up : {0.625, 0.75, 0.875}) {

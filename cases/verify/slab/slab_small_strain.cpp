@@ -71,7 +71,8 @@ reports::Measurement measure(const Burning& burning, int n) {
         predicted_slope(burning.stiffened(1.0).conditions(SlabModel::kuznetsov_stewart));
     return reports::Measurement(1.0 / n)
         .value("T_s [K]", surface, small_strain.surface_temperature())
-        .value("v at the surface [m/s]", n * run.velocity.back(), n * small_strain.velocity(0.0))
+        .value("v at the surface [m/s]", n * run.velocity.back(),
+               n * small_strain.state(0.0).velocity)
         .value(left_by_the_grid, surface - eulerian.surface_temperature())
         .value(slope, n * distance / predicted);
 }

@@ -101,5 +101,23 @@ TEST(BurnRate, OfPiecesIsTheirMeanOverTheTrueLength) {
                 1e-14);
 }
 
+TEST(BurnRate, OfANodeBetweenMaterialsIsThatOfTheFasterOrOfTheirMean) {
+    const Scene scene = testing::sandwich(16, 4);  // an edge of the strip at node 6
+    const Grid grid(scene.domain);
+    const MaterialMap materials(scene.morphology, grid, scene.numerics);
+    const BurningLaw law(Regression::pyrolysis, scene.surface);
+    const NodeField temperature(grid.node_columns(), grid.rows() + 1, 950.0);
+    const double strip = law.burn_rate(materials, 0.0, 950.0);
+    const double outer = law.burn_rate(materials, 1.0, 950.0);
+    const auto rate = [&](Front front) {
+        return front_motion(front, grid, materials, law)->burn_rate(temperature);
+    };
+    const SurfaceField faster = rate(Front::faster_side);
+    EXPECT_DOUBLE_EQ(faster[0], outer);
+    EXPECT_DOUBLE_EQ(faster[8], strip);
+    EXPECT_DOUBLE_EQ(faster[6], std::max(outer, strip));
+    EXPECT_DOUBLE_EQ(rate(Front::mean_of_materials)[6], law.burn_rate(materials, 0.5, 950.0));
+}
+
 }  // namespace
 }  // namespace crawford

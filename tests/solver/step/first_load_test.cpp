@@ -37,5 +37,19 @@ TEST(FirstLoad, LeavesTheSolidPressedAndAtRest) {
     EXPECT_LT(std::abs(state.velocity(0, 24).y()), 1e-6);
 }
 
+TEST(FirstLoad, TakesTheSurfaceAlongWhereItMovesWithTheMaterial) {
+    Scene scene = testing::slab(ammonium_perchlorate(), 24);
+    scene.surface.pressure = 100e6;
+    scene.surface.heat_flux = {0.0};
+    scene.surface.burn_rate = 1e-9;
+    scene.time.step = 1e-6;
+    scene.numerics.surface_motion = SurfaceMotion::burning_with_material;
+    Simulation simulation(scene);
+    run_steps(simulation, 1);
+    const Material ap = ammonium_perchlorate();
+    const double confined = ap.bulk_modulus + 4.0 / 3.0 * ap.shear_modulus;
+    EXPECT_NEAR(simulation.state().surface[0], -100e6 * 480e-6 / confined, 1e-10);
+}
+
 }  // namespace
 }  // namespace crawford
