@@ -39,6 +39,16 @@ void read_tolerance(const Json& json, GateResult& r) {
     }
 }
 
+/// Pages and comparisons go along these side by side.
+void refuse_unequal_lengths(const Json& json, const GateResult& r) {
+    const std::size_t grids = r.grids.size();
+    const std::size_t pairs = r.errors.empty() ? 0 : r.errors.size() - 1;
+    if (r.h.size() != grids || r.errors.size() > grids || r.values.size() > grids ||
+        r.pairwise.size() != pairs)
+        throw Json::other_error::create(
+            501, "grids, h, errors, values and pairwise_orders do not fit together", &json);
+}
+
 }  // namespace
 
 void to_json(Json& json, const GateResult& r) {
@@ -82,6 +92,7 @@ void from_json(const Json& json, GateResult& r) {
     r.errors = numbers(json, "errors");
     r.values = numbers(json, "values");
     r.pairwise = numbers(json, "pairwise_orders");
+    refuse_unequal_lengths(json, r);
     r.scale = number(json, "scale");
     r.coarsest = whole_number<int>(json.at("coarsest"));
     r.finest = whole_number<int>(json.at("finest"));

@@ -128,8 +128,9 @@ Html refinements(const std::vector<Refinement>& all) {
     Html tables;
     for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
         const auto& first = all[from];
-        Html rows = refinement_head(first);
-        for (; to < all.size() && side_by_side(first, all[to]); ++to)
+        Html rows = refinement_head(first) + refinement_row(first);
+        // A size that is not known equals not even itself.
+        for (to = from + 1; to < all.size() && side_by_side(first, all[to]); ++to)
             rows += refinement_row(all[to]);
         tables += element("h3", {}, first.of + ", refined in " + first.direction) + table(rows);
     }

@@ -37,8 +37,8 @@ Html circumstances(const std::string& text) {
     const auto members = Json::parse(text);
     std::vector<std::string> facts{"revision " + member(members, "revision")};
     if (members.contains("fidelity")) facts.push_back("fidelity " + member(members, "fidelity"));
-    if (members.contains("wall_seconds"))
-        facts.push_back(duration(members.at("wall_seconds").get<double>()));
+    if (const auto seconds = members.find("wall_seconds"); seconds != members.end())
+        facts.push_back(seconds->is_number() ? duration(seconds->get<double>()) : spoken(*seconds));
     if (members.contains("machine")) {
         const auto& machine = members.at("machine");
         facts.push_back(

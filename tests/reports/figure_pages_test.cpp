@@ -153,6 +153,15 @@ TEST(Refinements, StandInOneTableWhereTheirSizesAreTheSame) {
     EXPECT_EQ(std::distance(std::sregex_iterator(html.begin(), html.end(), table), {}), 2);
 }
 
+/// A damaged ledger may hold a null among the numbers.
+TEST(Refinements, WhoseSizeIsNotKnownStandAlone) {
+    Refinement rate{.quantity = "rate", .of = "pack", .sizes = {8}, .values = {1}};
+    rate.used = nan;
+    const auto html = page::refinements({rate, rate}).str();
+    const std::regex table("<table");
+    EXPECT_EQ(std::distance(std::sregex_iterator(html.begin(), html.end(), table), {}), 2);
+}
+
 TEST(Spreads, ShowEverySeed) {
     const auto html = page::spreads({{.quantity = "rate",
                                       .unit = "cm/s",

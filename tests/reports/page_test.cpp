@@ -104,6 +104,15 @@ TEST(Report, ShowsEveryGateWithItsReasonAndCommand) {
         EXPECT_THAT(html, HasSubstr(part));
 }
 
+TEST(Report, SaysOfItsManifestWhatCanBeUnderstood) {
+    auto v = verified(1.0);
+    for (const char* seconds : {"null", "[1]", "{}", "true"}) {
+        v.manifest =
+            std::string(R"({"revision":"abc","machine":3,"wall_seconds":)") + seconds + "}";
+        EXPECT_THAT(page::report(v), HasSubstr("revision abc")) << seconds;
+    }
+}
+
 TEST(Report, NeedsNothingFromOutside) {
     const auto html = page::report(verified(1.0));
     for (const char* part : {"<script", "http://", "https://", "src=", "@import", "url("})

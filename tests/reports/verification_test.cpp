@@ -89,6 +89,15 @@ class VerificationFile : public testing::Test {
 protected:
     const Scratch scratch_;
     const std::filesystem::path file_ = scratch_.path() / "verify.json";
+
+    std::string refusal() const {
+        try {
+            read_verification(file_);
+        } catch (const InputError& problem) {
+            return problem.what();
+        }
+        return "read";
+    }
 };
 
 TEST_F(VerificationFile, HoldsOneObjectForEachGate) {
@@ -128,20 +137,29 @@ TEST_F(VerificationFile, ReadsBackAsItWasWritten) {
 }
 
 TEST_F(VerificationFile, SaysWhatIsWrongWithIt) {
-    const auto message = [&] {
-        try {
-            read_verification(file_);
-        } catch (const InputError& problem) {
-            return std::string(problem.what());
-        }
-        return std::string("read");
-    };
-    EXPECT_THAT(message(), HasSubstr("verify.json cannot be read"));
+    EXPECT_THAT(refusal(), HasSubstr("verify.json cannot be read"));
     std::filesystem::create_directories(file_.parent_path());
     std::ofstream(file_) << "{\"whole\": true}";
-    EXPECT_THAT(message(), HasSubstr("terms"));
+    EXPECT_THAT(refusal(), HasSubstr("terms"));
     std::ofstream(file_) << "half a fi";
-    EXPECT_THAT(message(), HasSubstr("parse error"));
+    EXPECT_THAT(refusal(), HasSubstr("parse error"));
+}
+
+/// The page goes along them side by side.
+TEST_F(VerificationFile, WhoseListsDifferInLengthIsRefused) {
+    write(file_, some());
+    const auto whole = nlohmann::json::parse(std::ifstream(file_));
+    for (const char* list : {"grids", "h", "errors", "pairwise_orders"})
+        for (const bool shorter : {true, false}) {
+            auto damaged = whole;
+            auto& gate = damaged.at("gates").at(0).at(list);
+            if (shorter)
+                gate.erase(0);
+            else
+                gate.push_back(gate.at(0));
+            std::ofstream(file_) << damaged.dump();
+            EXPECT_THAT(refusal(), HasSubstr("do not fit together")) << list << shorter;
+        }
 }
 
 }  // namespace
