@@ -1,10 +1,10 @@
 #include "reports/record.hpp"
 
 #include <chrono>
-#include <new>
 
 #include "base/errors.hpp"
 #include "base/peak_memory.hpp"
+#include "base/room.hpp"
 #include "base/thread_time.hpp"
 
 namespace crawford::reports {
@@ -47,9 +47,8 @@ Record record_of(const std::string& experiment, const Setting& setting,
     Record record{.experiment = experiment, .setting = setting, .found = {}};
     try {
         run(record);
-    } catch (const std::bad_alloc&) {
-        throw;  // says nothing of what was run
     } catch (...) {
+        if (is_out_of_memory(std::current_exception())) throw;  // says nothing of what was run
         record.ending = ending_of(std::current_exception());
     }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

@@ -101,6 +101,11 @@ TEST(StudyRun, ThatFindsMemoryShortJudgesNothing) {
     int told = 0;
     EXPECT_THROW(run(s, {}, [&](const Progress&) { ++told; }), std::bad_alloc);
     EXPECT_EQ(told, 3) << "what was not run is not told of";
+
+    s.measure([](int) -> Measurement {
+        throw std::system_error(std::make_error_code(std::errc::not_enough_memory));
+    });
+    EXPECT_THROW(run(s), std::system_error) << "a call of the system that did not get it";
 }
 
 TEST(StudyRun, HasNoTotalWhereOneRunFailed) {
