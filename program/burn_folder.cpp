@@ -10,7 +10,6 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -98,13 +97,6 @@ bool make_exclusively(const fs::path& path) {
         "{} is being written into by {}; wait for it or name another --out", folder.string(), who));
 }
 
-std::optional<nlohmann::json> manifest_in(const fs::path& folder) {
-    std::ifstream file(folder / "manifest.json");
-    auto json = nlohmann::json::parse(file, nullptr, false);
-    if (!json.is_object() || !json.contains("scene") || !json.contains("command")) return {};
-    return json;
-}
-
 bool is_of_name(const std::string& file, const std::string& name) {
     if (!file.starts_with(name)) return false;
     std::string rest = file.substr(name.size());
@@ -165,6 +157,15 @@ bool is_held(const fs::path& folder) {
     return fs::exists(file) && is_alive(read_owner(file), file);
 }
 
+std::optional<KeptManifest> manifest_there(const fs::path& folder) {
+    try {
+        return kept_manifest(folder);
+    } catch (const InputError& problem) {
+        throw InputError(
+            fmt::format("{}; name another --out, or remove what lies there", problem.what()));
+    }
+}
+
 void refuse_results_of_others(const fs::path& folder, const Burning& burning, bool goes_on) {
     if (!fs::is_directory(folder)) return;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -175,12 +176,12 @@ void refuse_results_of_others(const fs::path& folder, const Burning& burning, bo
             "{} holds the results of {}, not of {}; name another --out", folder.string(),
             file.substr(0, file.size() - history_ending.size()), burning.name));
     }
-    const auto manifest = manifest_in(folder);
+    const auto manifest = manifest_there(folder);
     if (!manifest) return;
-    const auto key = difference(manifest->at("scene").get<std::string>(), burning.toml, "there");
+    const auto key = difference(manifest->scene, burning.toml, "there");
     if (!key) return;
-    const auto command = manifest->at("command").get<std::vector<std::string>>();
-    const bool is_same_file = std::ranges::find(command, burning.scene.string()) != command.end();
+    const bool is_same_file =
+        std::ranges::find(manifest->command, burning.scene.string()) != manifest->command.end();
     if (!goes_on && burning.folder_was_named && is_same_file) return;
     throw InputError(fmt::format("{} holds the results of another scene: {}; name another --out",
                                  folder.string(), *key));

@@ -3,7 +3,10 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "solver/files/kept_manifest.hpp"
 
 namespace crawford {
 
@@ -31,6 +34,11 @@ private:
 
 /// Whether a run holds the folder now, as far as can be seen from here.
 bool is_held(const std::filesystem::path& folder);
+
+/// The manifest of the burn that lies in a folder, if there is one.
+/// \throws InputError if it is damaged: it does not say whose results they are, and they are not to
+/// be lost for it.
+std::optional<KeptManifest> manifest_there(const std::filesystem::path& folder);
 
 /// What a run is to put into a folder.
 struct Burning {

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
-#include "base/whole_number.hpp"
 #include "program/burn_folder.hpp"
+#include "solver/files/kept_manifest.hpp"
 #include "solver/run/run_identity.hpp"
 #include "solver/scene/read_scene.hpp"
 
@@ -18,16 +16,6 @@ namespace crawford {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-constexpr std::string_view failed = "failed: ";
-constexpr std::string_view cut_off = "cut off: ";
-
-/// A manifest of a burn; figures have others, under other names.
-bool is_of_a_burn(const Json& manifest) {
-    return manifest.is_object() && manifest.contains("scene") && manifest.contains("outcome") &&
-           manifest.value("program", "") == "crawford";
-}
 
 std::string name_in(const fs::path& folder) {
     constexpr std::string_view ending = "_history.csv";
@@ -44,36 +32,28 @@ bool is_under_way(const FoundRun& run) {
     return is_held(run.folder) || FileLock::is_held(run.folder.parent_path() / (run.key + ".lock"));
 }
 
-RunState state_of(const FoundRun& run, const std::string& outcome) {
+RunState state_of(const FoundRun& run, ManifestOutcome::Kind outcome) {
     if (is_under_way(run)) return RunState::running;
-    if (outcome == "done") return RunState::done;
-    return outcome.starts_with(failed) ? RunState::failed : RunState::cut_off;
+    switch (outcome) {
+        case ManifestOutcome::Kind::done:
+            return RunState::done;
+        case ManifestOutcome::Kind::failed:
+            return RunState::failed;
+        default:
+            return RunState::cut_off;
+    }
 }
 
-RunResults results_in(const Json& json) {
-    const auto value = [&](const char* name) { return json.at(name).at("value").get<double>(); };
-    RunResults results{.regression_rate = value("regression_rate"),
-                       .mean_burn_rate = value("mean_burn_rate"),
-                       .largest_temperature = value("largest_temperature")};
-    if (json.contains("strain_within_5_um_of_max"))
-        results.strain_about_peak = value("strain_within_5_um_of_max");
-    if (json.contains("steady")) results.steady = json.at("steady").get<bool>();
-    return results;
-}
-
-void fill(FoundRun& run, const Json& manifest) {
-    run.scene = parse_scene(manifest.at("scene").get<std::string>());
+void fill(FoundRun& run, const KeptManifest& manifest) {
+    run.scene = parse_scene(manifest.scene);
     run.key = key_of(*run.scene);
-    run.solver_fingerprint = manifest.value("solver_fingerprint", "");
-    if (manifest.contains("seeds")) run.seeds = whole_numbers<std::uint64_t>(manifest.at("seeds"));
-    run.time = manifest.value("time_seconds", 0.0);
-    if (manifest.contains("results")) run.results = results_in(manifest.at("results"));
-    for (const Json& remark : manifest.value("remarks", Json::array()))
-        run.remarks[remark.at("name")] = remark.at("text");
-    const auto outcome = manifest.at("outcome").get<std::string>();
-    for (const std::string_view kind : {failed, cut_off})
-        if (outcome.starts_with(kind)) run.reason = outcome.substr(kind.size());
-    run.state = state_of(run, outcome);
+    run.solver_fingerprint = manifest.solver_fingerprint;
+    run.seeds = manifest.seeds;
+    run.time = manifest.time;
+    run.results = manifest.results;
+    run.remarks = manifest.remarks;
+    run.reason = manifest.outcome.reason;
+    run.state = state_of(run, manifest.outcome.kind);
 }
 
 FoundRun run_in(const fs::path& folder) {
@@ -89,14 +69,25 @@ FoundRun unreadable(const fs::path& folder, const std::string& why) {
     return run;
 }
 
-FoundRun found(const fs::path& folder, const Json& manifest) {
+FoundRun found(const fs::path& folder, const KeptManifest& manifest) {
     FoundRun run = run_in(folder);
     try {
         fill(run, manifest);
-    } catch (const std::exception& problem) {  // a scene or JSON that another version wrote
-        return unreadable(folder, problem.what());
+    } catch (const InputError& problem) {  // a scene that another version wrote
+        return unreadable(folder, fmt::format("the scene in {}: {}",
+                                              (folder / "manifest.json").string(), problem.what()));
     }
     return run;
+}
+
+/// Nothing if what lies there is no manifest of a burn.
+std::optional<FoundRun> run_of(const fs::path& folder) {
+    try {
+        const auto manifest = kept_manifest(folder);
+        return manifest ? std::optional(found(folder, *manifest)) : std::nullopt;
+    } catch (const InputError& problem) {
+        return unreadable(folder, problem.what());
+    }
 }
 
 }  // namespace
@@ -125,13 +116,8 @@ std::vector<FoundRun> found_runs(const fs::path& below) {
         if (entry.path().filename() == "manifest.json") files.push_back(entry.path());
     std::ranges::sort(files);
     std::vector<FoundRun> runs;
-    for (const fs::path& file : files) {
-        const auto manifest = Json::parse(std::ifstream(file), nullptr, false);
-        if (manifest.is_discarded())
-            runs.push_back(unreadable(file.parent_path(), "manifest.json is no JSON"));
-        else if (is_of_a_burn(manifest))
-            runs.push_back(found(file.parent_path(), manifest));
-    }
+    for (const fs::path& file : files)
+        if (auto run = run_of(file.parent_path())) runs.push_back(std::move(*run));
     return runs;
 }
 

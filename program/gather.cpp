@@ -84,8 +84,7 @@ std::vector<FoundRun> found_in(const std::vector<fs::path>& folders) {
 void refuse_unreadable(const std::vector<FoundRun>& runs) {
     const auto bad = std::ranges::find(runs, RunState::unreadable, &FoundRun::state);
     if (bad == runs.end()) return;
-    throw InputError(
-        fmt::format("{}: {}; burn it anew, or move it away", bad->folder.string(), bad->reason));
+    throw InputError(bad->reason + "; burn it anew, or move it away");
 }
 
 std::vector<std::string> names_in(const fs::path& out, const std::vector<fs::path>& files) {

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/build_info.hpp"
 #include "base/errors.hpp"
+#include "program/burn_folder.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/history.hpp"
 #include "solver/run/run_identity.hpp"
@@ -21,17 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-nlohmann::json manifest_in(const fs::path& folder) {
-    std::ifstream file(folder / "manifest.json");
-    auto json = nlohmann::json::parse(file, nullptr, false);
-    const bool is_ours =
-        json.is_object() && json.value("solver_fingerprint", "") == solver_fingerprint();
-    return is_ours ? json : nlohmann::json::object();
-}
-
 /// A run that was asked for less output is not taken for one that has it all.
-bool serves(const nlohmann::json& manifest, const Scene& scene) {
-    const Scene kept = parse_scene(manifest.value("scene", ""));
+bool serves(const KeptManifest& manifest, const Scene& scene) {
+    if (manifest.solver_fingerprint != solver_fingerprint()) return false;
+    const Scene kept = parse_scene(manifest.scene);
     return identity_of(kept) == identity_of(scene) &&
            covers(kept.output, scene.output, scene.time.step);
 }
@@ -84,12 +76,13 @@ double time_of_history(const fs::path& folder, const std::string& name) {
 
 LeftOff left_off(const fs::path& folder, const std::string& name, const Scene& scene,
                  const std::vector<std::string>& computed) {
-    const auto manifest = manifest_in(folder);
-    if (manifest.empty() || !serves(manifest, scene)) return {};
-    const auto outcome = manifest.value("outcome", "");
-    if (outcome == "done") return {.is_done = true, .checkpoint = {}};
-    const bool was_interrupted = outcome == "interrupted";  // and so was before its end
-    const fs::path gone_on_from = manifest.value("restarted_from", "");  // likewise
+    using Outcome = ManifestOutcome::Kind;
+    const auto manifest = manifest_there(folder);
+    if (!manifest || !serves(*manifest, scene)) return {};
+    if (manifest->outcome.kind == Outcome::done) return {.is_done = true, .checkpoint = {}};
+    const bool was_interrupted =
+        manifest->outcome.kind == Outcome::interrupted;      // and so was before its end
+    const fs::path gone_on_from = manifest->restarted_from;  // likewise
     const double last_row = time_of_history(folder, name);
     for (const fs::path& file : checkpoints(folder, name)) {
         const auto time = time_of(file, computed);

@@ -19,6 +19,7 @@ struct LeftOff {
 /// others would end in other bits. One that has been killed goes on from its last checkpoint that
 /// is sound and before the last row of its history: at that row it may have been at its end.
 /// \param computed what checkpoints may be of, canonical TOML: the scene, and what is computed of it
+/// \throws InputError if the manifest there is damaged.
 LeftOff left_off(const std::filesystem::path& folder, const std::string& name, const Scene& scene,
                  const std::vector<std::string>& computed);
 

@@ -50,8 +50,7 @@ Json json_of(const FoundRun& run) {
 
 std::string line_of(const FoundRun& run) {
     if (run.state == RunState::unreadable)
-        return fmt::format("{:36}  {:10}  {}: {}\n", "", name_of(run.state), run.folder.string(),
-                           run.reason);
+        return fmt::format("{:36}  {:10}  {}\n", "", name_of(run.state), run.reason);
     std::string line = fmt::format("{}  {:10}  t = {:.6g} of {:.6g} ms  ", run.key,
                                    name_of(run.state), 1e3 * run.time, 1e3 * run.scene->time.end);
     if (run.results)

@@ -8,7 +8,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
-#include "reports/json_problem.hpp"
+#include "base/json_problem.hpp"
 #include "reports/ledger_json.hpp"
 
 namespace crawford::reports {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reports/ledger.hpp"
-#include "reports/member_json.hpp"
+#include "base/json_member.hpp"
 
 namespace crawford::reports {
 

@@ -11,7 +11,7 @@
 #include "base/errors.hpp"
 #include "base/whole_number.hpp"
 #include "reports/gate_json.hpp"
-#include "reports/json_problem.hpp"
+#include "base/json_problem.hpp"
 #include "reports/judgement.hpp"
 
 namespace crawford::reports {

@@ -48,7 +48,7 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
         {"libraries", nlohmann::ordered_json::parse(libraries())},
         {"machine", nlohmann::ordered_json::parse(machine())},
         {"command", manifest.command},
-        {"outcome", manifest.outcome},
+        {"outcome", text_of(manifest.outcome)},
         {"started", time_of_day(manifest.started)},
         {"ended", time_of_day(manifest.ended)},
         {"wall_seconds", manifest.wall_seconds},

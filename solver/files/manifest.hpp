@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/files/manifest_outcome.hpp"
 #include "solver/files/step_choice.hpp"
 #include "solver/guards/guard.hpp"
 
@@ -23,9 +24,7 @@ struct RunResults {
 };
 
 struct Manifest {
-    /// "running", "done", "interrupted", "failed: ..." (its numbers), or "cut off: ...": by a disk or
-    /// memory that had no room, so that it can go on.
-    std::string outcome;
+    ManifestOutcome outcome;
     std::vector<std::string> command;  ///< the command line
     std::string scene;                 ///< canonical TOML
     std::string left_out;              ///< of it, because it changes nothing; may be empty

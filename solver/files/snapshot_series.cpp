@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/json_problem.hpp"
 #include "solver/files/vtkhdf.hpp"
 
 namespace crawford {
@@ -32,7 +33,7 @@ void SnapshotSeries::resume(double time) {
         throw InputError(
             fmt::format("cannot go on with {}: {}; remove it or choose another "
                         "directory",
-                        index().string(), error.what()));
+                        index().string(), json_problem(error.what())));
     }
 }
 

@@ -34,6 +34,8 @@ std::vector<std::uint64_t> seeds_of(const Scene& scene) {
     return seed ? std::vector{*seed} : std::vector<std::uint64_t>();
 }
 
+using Outcome = ManifestOutcome::Kind;
+
 class Run {
 public:
     Run(const Reduction& reduction, const BurnOptions& options, const Sources& sources)
@@ -57,7 +59,7 @@ public:
     }
 
     BurnOutcome to_the_end() {
-        write("running");
+        write({Outcome::running});
         tell(manifest_.predicted);
         Recorder recorder(options_.directory, options_.name, reduction_, simulation_);
         try {
@@ -65,17 +67,17 @@ public:
         } catch (const NumericalFailure& failure) {
             give_up(recorder, failure);
         } catch (const InputError& problem) {
-            note_end(std::string("cut off: ") + problem.what());
+            note_end({Outcome::cut_off, problem.what()});
             throw;
         } catch (const std::exception& problem) {
             note_end(is_out_of_memory(std::current_exception())
-                         ? "cut off: out of memory"
-                         : std::string("failed: ") + problem.what());
+                         ? ManifestOutcome{Outcome::cut_off, "out of memory"}
+                         : ManifestOutcome{Outcome::failed, problem.what()});
             throw;
         }
         const auto checkpoint = recorder.keep(simulation_, memory());
         if (!interrupted_) manifest_.results = results();
-        write(interrupted_ ? "interrupted" : "done");
+        write({interrupted_ ? Outcome::interrupted : Outcome::done});
         return outcome(checkpoint);
     }
 
@@ -149,7 +151,7 @@ private:
         try {
             kept =
                 "the last good state is kept in " + recorder.keep(simulation_, memory()).string();
-            write(std::string("failed: ") + failure.what());
+            write({Outcome::failed, failure.what()});
         } catch (const InputError& error) {
             kept = fmt::format("the last good state is lost: {}", error.what());
         }
@@ -159,7 +161,7 @@ private:
     RunMemory memory() const { return {steadiness_.window(), steps_->choice()}; }
 
     /// Says in the manifest how it ended, as far as anything can still be written.
-    void note_end(const std::string& how) {
+    void note_end(const ManifestOutcome& how) {
         try {
             write(how);
         } catch (const InputError&) {
@@ -167,7 +169,7 @@ private:
         }
     }
 
-    void write(const std::string& outcome) {
+    void write(const ManifestOutcome& outcome) {
         manifest_.outcome = outcome;
         manifest_.met = watch_.met();
         manifest_.last_step = simulation_.state().step;

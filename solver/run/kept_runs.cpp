@@ -4,8 +4,6 @@
 
 #include <cctype>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +14,7 @@
 #include "base/file_lock.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/files/history.hpp"
+#include "solver/files/kept_manifest.hpp"
 #include "solver/run/burn.hpp"
 #include "solver/run/loop.hpp"
 #include "solver/run/run_identity.hpp"
@@ -32,11 +31,11 @@ constexpr auto run_name = "burn";
 
 /// What lies in a directory of the store.
 struct Found {
-    std::string outcome;
+    ManifestOutcome::Kind outcome;
     Output output;
 
     /// One that failed has not: it is tried again from its last checkpoint.
-    bool has_ended() const { return outcome == "done"; }
+    bool has_ended() const { return outcome == ManifestOutcome::Kind::done; }
     bool serves(const Scene& scene) const {
         return has_ended() && covers(output, scene.output, scene.time.step);
     }
@@ -53,17 +52,14 @@ bool is_whole(const fs::path& history, const Scene& scene, long last_step) {
 
 /// Nothing if it is no run of this scene by this solver, or cannot be understood.
 std::optional<Found> find(const fs::path& directory, const Scene& scene) {
-    std::ifstream file(directory / "manifest.json");
-    const auto manifest = nlohmann::json::parse(file, nullptr, false);
-    if (!manifest.is_object()) return {};
-    if (manifest.value("solver_fingerprint", "") != solver_fingerprint()) return {};
     try {
-        const Scene kept = parse_scene(manifest.value("scene", ""));
+        const auto manifest = kept_manifest(directory);
+        if (!manifest || manifest->solver_fingerprint != solver_fingerprint()) return {};
+        const Scene kept = parse_scene(manifest->scene);
         if (identity_of(kept) != identity_of(scene)) return {};
-        const Found found{manifest.value("outcome", ""), kept.output};
+        const Found found{manifest->outcome.kind, kept.output};
         const fs::path history = directory / fmt::format("{}_history.csv", run_name);
-        if (found.has_ended() && !is_whole(history, kept, manifest.value("last_step", 0L)))
-            return {};
+        if (found.has_ended() && !is_whole(history, kept, manifest->last_step)) return {};
         return found;
     } catch (const InputError&) {
         return {};

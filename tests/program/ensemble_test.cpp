@@ -87,7 +87,7 @@ TEST_F(ProgramEnsemble, ListsWhatIsThereAndInWhatState) {
     EXPECT_EQ(list.at(3).at("state"), "unreadable");
     EXPECT_THAT(crawford({"runs", "--list", "--out", out()}).output,
                 HasSubstr("4 burns in " + out() + ", 1 of them done"));
-    expect_refused({"gather", out(), "--out", out() + "/table"}, "manifest.json is no JSON");
+    expect_refused({"gather", out(), "--out", out() + "/table"}, "d/manifest.json is damaged: parse error");
 }
 
 /// The burn is held still while it is looked at: it cannot have ended.

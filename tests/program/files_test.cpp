@@ -172,6 +172,26 @@ TEST_F(ProgramFiles, LeavesTheResultsOfAnotherSceneAlone) {
         << "the same file, changed, into the folder that was named";
 }
 
+/// They may be of another scene, and cannot be made again if nobody knows which.
+TEST_F(ProgramFiles, LeavesAloneWhatADamagedManifestIsOf) {
+    EXPECT_EQ(crawford(short_burn(out())).status, 0);
+    const fs::path manifest = out_ / "manifest.json";
+    const auto whole = nlohmann::json::parse(std::ifstream(manifest));
+    for (const char* damaged : {"5", "null", "[]"}) {
+        auto json = whole;
+        json["scene"] = nlohmann::json::parse(damaged);
+        std::ofstream(manifest) << json.dump();
+        for (const char* how : {"--quiet", "--resume"})
+            expect_refused(short_burn(out(), {how}),
+                           "manifest.json is damaged: scene is no text; "
+                           "name another --out, or remove what lies there");
+    }
+    std::ofstream(manifest) << "{ half";
+    expect_refused(short_burn(out()), "manifest.json is damaged: parse error at line 1");
+    EXPECT_TRUE(fs::exists(out_ / "slab_history.csv"));
+    EXPECT_TRUE(fs::exists(out_ / "slab_checkpoint_000003.h5"));
+}
+
 TEST_F(ProgramFiles, SharesNoFolderWithAnotherRun) {
     EXPECT_EQ(crawford(short_burn(out())).status, 0);
     std::ofstream(out_ / ".owner") << "elsewhere 7 1\n";

@@ -101,8 +101,15 @@ TEST_F(KeptRunsTest, OfUnequalIntervalsAreMadeWithBoth) {
 TEST_F(KeptRunsTest, ThatAreDamagedAreMadeAnew) {
     const Scene scene = small_scene(80e-6);
     const auto run = runs_.get(scene);
-    std::filesystem::remove(run->directory / "manifest.json");
+    const auto file = run->directory / "manifest.json";
+    std::filesystem::remove(file);
     EXPECT_EQ(steps_to_get(scene), 8);
+    for (const char* member : {"scene", "outcome", "last_step", "solver_fingerprint"}) {
+        auto manifest = nlohmann::ordered_json::parse(std::ifstream(file));
+        manifest[member] = {1, 2};
+        std::ofstream(file) << manifest.dump(2);
+        EXPECT_EQ(steps_to_get(scene), 8) << member;
+    }
 }
 
 /// Marks a run as cut off.

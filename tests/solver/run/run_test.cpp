@@ -83,7 +83,7 @@ TEST_F(OutputRun, OutputIsDueOncePerInterval) {
 
 TEST_F(OutputRun, ManifestSaysWhatItTakesToRepeatIt) {
     Manifest manifest;
-    manifest.outcome = "done";
+    manifest.outcome = {ManifestOutcome::Kind::done};
     manifest.command = {"crawford", "burn", "a b.toml"};
     manifest.scene = "title = \"\xc3\xa4\"\n";
     manifest.seeds = {7, std::numeric_limits<std::uint64_t>::max()};

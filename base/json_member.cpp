@@ -1,16 +1,20 @@
-#include "reports/member_json.hpp"
+#include "base/json_member.hpp"
 
 #include <fmt/format.h>
 
 #include <limits>
 
-namespace crawford::reports {
+namespace crawford {
 
 JsonMember JsonMember::at(const std::string& key) const {
     const auto member = object().find(key);
     const auto where = where_.empty() ? key : where_ + '.' + key;
     if (member == json_->end()) throw JsonRefused(where + " is missing");
     return {*member, where};
+}
+
+bool JsonMember::has(const std::string& key) const {
+    return object().contains(key);
 }
 
 std::vector<JsonMember> JsonMember::items() const {
@@ -24,6 +28,11 @@ std::vector<JsonMember> JsonMember::items() const {
 std::string JsonMember::text() const {
     if (!json_->is_string()) refuse("is no text");
     return json_->get<std::string>();
+}
+
+bool JsonMember::truth() const {
+    if (!json_->is_boolean()) refuse("is neither true nor false");
+    return json_->get<bool>();
 }
 
 double JsonMember::number() const {
@@ -62,4 +71,4 @@ void JsonMember::refuse(const std::string& what) const {
     throw JsonRefused((where_.empty() ? "the document" : where_) + ' ' + what);
 }
 
-}  // namespace crawford::reports
+}  // namespace crawford

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace crawford::reports {
+namespace crawford {
 
 /// A member is missing or is not what it should be; what() names it: "rows[2].unit is missing".
 class JsonRefused : public std::runtime_error {
@@ -27,9 +27,11 @@ public:
     /// \throws JsonRefused if this is no object or has no such member, as all below do for a value
     /// of another kind.
     JsonMember at(const std::string& key) const;
+    bool has(const std::string& key) const;
     std::vector<JsonMember> items() const;
 
     std::string text() const;
+    bool truth() const;
     double number() const;  ///< NaN for null
     std::optional<double> optional_number() const;
     unsigned long count() const;  ///< A whole number, 0 or more
@@ -47,4 +49,4 @@ private:
     std::string where_;  // empty at the top
 };
 
-}  // namespace crawford::reports
+}  // namespace crawford

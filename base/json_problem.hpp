@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace crawford::reports {
+namespace crawford {
 
 /// `what` of an exception of the JSON library without the class and number in front: "parse error at
 /// line 1, column 2: ...".
 std::string json_problem(const std::string& what);
 
-}  // namespace crawford::reports
+}  // namespace crawford

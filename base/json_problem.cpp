@@ -1,6 +1,6 @@
-#include "reports/json_problem.hpp"
+#include "base/json_problem.hpp"
 
-namespace crawford::reports {
+namespace crawford {
 
 std::string json_problem(const std::string& what) {
     const auto end = what.find("] ");
@@ -8,4 +8,4 @@ std::string json_problem(const std::string& what) {
                                                                            : what;
 }
 
-}  // namespace crawford::reports
+}  // namespace crawford
