@@ -1,5 +1,7 @@
 #include "cases/explore/extreme_axes.hpp"
 
+#include <cmath>
+
 #include "cases/units.hpp"
 
 namespace crawford::extreme {
@@ -59,16 +61,17 @@ ExtremeAxis rows(std::vector<double> values) {
             .scale = 1.0,
             .label = "rows",
             .values = std::move(values),
-            .put = [](Scene& scene, double rows) { scene.domain.ny = int(rows + 0.5); }};
+            .put = [](Scene& scene, double rows) { scene.domain.ny = int(std::lround(rows)); }};
 }
 
 ExtremeAxis columns(std::vector<double> values) {
-    return {.key = "domain.nx",
-            .unit = "cells",
-            .scale = 1.0,
-            .label = "columns over the whole width",
-            .values = std::move(values),
-            .put = [](Scene& scene, double columns) { scene.domain.nx = int(columns + 0.5); }};
+    return {
+        .key = "domain.nx",
+        .unit = "cells",
+        .scale = 1.0,
+        .label = "columns over the whole width",
+        .values = std::move(values),
+        .put = [](Scene& scene, double columns) { scene.domain.nx = int(std::lround(columns)); }};
 }
 
 ExtremeAxis depth(std::vector<double> values) {

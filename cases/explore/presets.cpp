@@ -32,7 +32,6 @@ namespace {
 using namespace units;
 using reports::between;
 using reports::Measurement;
-using reports::Setting;
 
 constexpr auto rate_error = "V, error";
 constexpr double part = 0.01;  ///< of a flux given in % of the paper's
