@@ -285,8 +285,11 @@ std::vector<std::string> command_names(const CLI::App& app) {
 }
 
 Action action_of(const std::shared_ptr<Parser>& parser, const CommandLine& arguments) {
-    if (auto action = parser->outside->action(arguments)) return action;
-    if (auto action = parser->ensemble->action(arguments)) return action;
+    // The parser lives as long as what it has read is used: a command may print its help.
+    if (const auto action = parser->outside->action(arguments))
+        return [parser, action] { return action(); };
+    if (const auto action = parser->ensemble->action(arguments))
+        return [parser, action] { return action(); };
     if (parser->list_command->parsed()) return [parser] { return list(parser->list); };
     if (parser->report_command->parsed()) return [parser] { return report(parser->report); };
     if (parser->run_command->parsed())

@@ -150,7 +150,7 @@ struct OutsideCommands::Commands {
     int run_truth() {
         if (!truth.help) return crawford::truth(truth);
         if (truth.name.empty()) {
-            std::cout << truth_command->help();
+            std::cout << truth_command->get_parent()->help();
             return 0;
         }
         TruthOptions description = truth;

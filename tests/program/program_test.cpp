@@ -39,6 +39,29 @@ TEST_F(Program, ExplainsItselfToANewcomer) {
     EXPECT_THAT(crawford({"--version"}).output, testing::StartsWith("crawford 0."));
 }
 
+/// The first words of the lines under "Subcommands:".
+std::vector<std::string> commands_in(const std::string& help) {
+    std::vector<std::string> commands;
+    std::istringstream lines(help.substr(help.find("Subcommands:\n")));
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line) && line.starts_with("  "))
+        if (line[2] != ' ') commands.push_back(line.substr(2, line.find(' ', 2) - 2));
+    return commands;
+}
+
+TEST_F(Program, ExplainsEveryCommand) {
+    const auto commands = commands_in(crawford({"--help"}).output);
+    EXPECT_GE(commands.size(), 13U);
+    for (const std::string& command : commands)
+        for (const char* asked : {"--help", "-h"}) {
+            const Finished help = crawford({command, asked});
+            EXPECT_EQ(help.status, 0) << command << ": " << help.output;
+            EXPECT_THAT(help.output, HasSubstr("Usage: crawford " + command)) << command;
+            EXPECT_THAT(help.output, HasSubstr("--help")) << command;
+        }
+}
+
 TEST_F(Program, RefusesACouplingThatWouldBurnAtAWrongRate) {
     const std::vector<std::string> wrong{"burn",  scenes + "sandwich.toml",
                                          "--set", "time.scheme=bdf2",
