@@ -90,6 +90,21 @@ std::optional<FoundRun> run_of(const fs::path& folder) {
     }
 }
 
+/// All below a folder, in the order of their names. What cannot be looked into may hold some: it is
+/// not passed over.
+std::vector<fs::path> manifests(const fs::path& below) {
+    std::vector<fs::path> files;
+    try {
+        for (const auto& entry : fs::recursive_directory_iterator(below))
+            if (entry.path().filename() == "manifest.json") files.push_back(entry.path());
+    } catch (const fs::filesystem_error& problem) {  // does not always know where
+        throw InputError(fmt::format("cannot look into all of {}: {}", below.string(),
+                                     problem.code().message()));
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
 }  // namespace
 
 std::string name_of(RunState state) {
@@ -111,12 +126,8 @@ std::string name_of(RunState state) {
 std::vector<FoundRun> found_runs(const fs::path& below) {
     if (!fs::is_directory(below))
         throw InputError(fmt::format("{} is no folder; name one with burns", below.string()));
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(below))
-        if (entry.path().filename() == "manifest.json") files.push_back(entry.path());
-    std::ranges::sort(files);
     std::vector<FoundRun> runs;
-    for (const fs::path& file : files)
+    for (const fs::path& file : manifests(below))
         if (auto run = run_of(file.parent_path())) runs.push_back(std::move(*run));
     return runs;
 }

@@ -39,7 +39,7 @@ struct FoundRun {
 };
 
 /// In the order of their folders' names.
-/// \throws InputError if there is no such folder.
+/// \throws InputError if there is no such folder, or if a part of it cannot be looked into.
 std::vector<FoundRun> found_runs(const std::filesystem::path& below);
 
 }  // namespace crawford
