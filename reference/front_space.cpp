@@ -10,12 +10,25 @@
 namespace crawford::reference {
 namespace {
 
+double third_of_the_narrower(const SandwichGeometry& geometry) {
+    return std::min(geometry.strip, geometry.half_width - geometry.strip) / 3.0;
+}
+
 void require_valid(const SandwichGeometry& geometry, const SandwichElements& elements) {
     require_positive("strip", geometry.strip);
     require_positive("half_width", geometry.half_width);
     require_positive("depth", geometry.depth);
     if (geometry.strip >= geometry.half_width)
         throw std::invalid_argument("strip must be narrower than half_width");
+    // The paper's sandwich is 12 of this size wide and takes a second and 100 MB; memory grows faster
+    // than the number.
+    constexpr double most = 120.0;
+    if (!(geometry.half_width / third_of_the_narrower(geometry) <= most))
+        throw std::invalid_argument(
+            "strip and half_width differ too much: the narrower side of the interface must be at "
+            "least 1/40 of half_width");
+    if (geometry.depth > 1e6 * geometry.half_width)  // layers that double it tell nothing more
+        throw std::invalid_argument("depth must be at most a million times half_width");
     if (elements.layers < 1) throw std::invalid_argument("layers must be at least 1");
     if (!(elements.ratio > 0.0 && elements.ratio < 1.0))
         throw std::invalid_argument("ratio must lie between 0 and 1");
@@ -42,7 +55,7 @@ std::vector<double> layered(double end, double size, double longest,
 TensorSpace front_space(const SandwichGeometry& geometry, const SandwichElements& elements) {
     require_valid(geometry, elements);
     const auto [inner, outer, strip, half_width, depth] = geometry;
-    const double size = std::min(strip, half_width - strip) / 3.0;
+    const double size = third_of_the_narrower(geometry);
     std::vector<double> x;
     for (const double step : layered(strip, size, size, elements))
         x.insert(x.begin(), strip - step);

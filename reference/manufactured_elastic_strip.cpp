@@ -188,16 +188,18 @@ Eigen::Vector2d ManufacturedStrip::displacement(double x, double y) const {
 
 PlaneStrainStress ManufacturedStrip::stress(double x, double y) const {
     const auto [folded, sign] = fold(x);
-    PlaneStrainStress sigma =
-        side(folded, [&](const ManufacturedElasticity& m) { return m.stress(folded, y); });
+    PlaneStrainStress sigma = side(folded, [&, across = folded](const ManufacturedElasticity& m) {
+        return m.stress(across, y);
+    });
     sigma.xy *= sign;
     return sigma;
 }
 
 Eigen::Vector2d ManufacturedStrip::body_force(double x, double y) const {
     const auto [folded, sign] = fold(x);
-    const Eigen::Vector2d b =
-        side(folded, [&](const ManufacturedElasticity& m) { return m.body_force(folded, y); });
+    const Eigen::Vector2d b = side(folded, [&, across = folded](const ManufacturedElasticity& m) {
+        return m.body_force(across, y);
+    });
     return {sign * b.x(), b.y()};
 }
 

@@ -49,7 +49,7 @@ double RegressingWave::kink_time() const {
 double RegressingWave::foot(double x, double t) const {
     require_before(t, kink_time(), "the kink");
     const double reach = burn_rate_ * t;
-    if (reach == 0.0) return x;
+    if (x - reach == x + reach) return x;
     const auto miss = [&](double x0) {
         const double p = start_slope(x0);
         return x0 + reach * p / std::hypot(1.0, p) - x;
@@ -73,10 +73,15 @@ double RegressingWave::envelope(double x, double t) const {
     const auto circle = [&](double a) {
         return start(x + reach * std::sin(a)) - reach * std::cos(a);
     };
+    // A point more than half a period away has a twin that is nearer, and whose circle is lower here.
     // Minima lie at least a fraction of the period apart: look for each between samples.
-    const double step = std::numbers::pi / (64.0 + std::ceil(32.0 * reach * wave_number_));
+    constexpr int samples = 128;
+    const double half_period = std::numbers::pi / wave_number_;
+    const double widest = std::asin(std::min(1.0, half_period / reach));
+    const double step = 2.0 * widest / samples;
     double lowest = circle(0.0);
-    for (double a = -0.5 * std::numbers::pi; a < 0.5 * std::numbers::pi; a += step) {
+    for (int k = 0; k <= samples; ++k) {
+        const double a = k * step - widest;
         const double middle = circle(a);
         if (middle > circle(a - step) || middle > circle(a + step)) continue;
         const auto found = boost::math::tools::brent_find_minima(circle, a - step, a + step, 52);

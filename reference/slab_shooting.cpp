@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reference/root.hpp"
+#include "reference/solved.hpp"
 
 namespace crawford::reference {
 namespace {
@@ -108,7 +109,9 @@ public:
         State state = start(log_slope);
         double y = bottom_;
         double step = 0.1 / growth_;
-        while (y < 0.0 && state[1] < 1e3 * flux_) {
+        constexpr int most = 100'000;  // a hundred do in solids that burn
+        for (int tries = 0; y < 0.0 && state[1] < 1e3 * flux_; ++tries) {
+            if (tries == most) throw no_solution();
             step = std::min(step, -y);
             stepper.try_step(equations_, state, y, step);
         }

@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "reference/solved.hpp"
 
 namespace crawford::reference {
 
@@ -67,14 +68,12 @@ Truth::Truth(std::vector<Field> fields, Domain domain, Evaluate evaluate)
     : fields_(std::move(fields)), domain_(std::move(domain)), evaluate_(std::move(evaluate)) {}
 
 FieldTable Truth::values(std::span<const Eigen::Vector2d> points, double t) const {
-    require_within(points, t);
-    try {
+    return solved([&] {
+        require_within(points, t);
         FieldTable table(fields_, evaluate_(points, t));
         require_finite(table.values(), points, t);
         return table;
-    } catch (const std::invalid_argument& error) {
-        throw InputError(error.what());
-    }
+    });
 }
 
 void Truth::require_within(std::span<const Eigen::Vector2d> points, double t) const {

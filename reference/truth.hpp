@@ -68,7 +68,8 @@ public:
 
     /// All fields at points (x, y) [m], in any order, at a time [s] (which a steady truth ignores).
     /// \throws InputError for a point or time outside the domain, naming it.
-    /// \throws NumericalFailure naming field and point, if a value is not finite.
+    /// \throws NumericalFailure naming field and point, if a value is not finite, or where no solution
+    /// is found.
     FieldTable values(std::span<const Eigen::Vector2d> points, double t = 0.0) const;
 
 private:

@@ -3,20 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "reference/solved.hpp"
 #include "reference/truth_entries.hpp"
 
 namespace crawford::reference {
 
 Truth TruthEntry::make(const Parameters& given) const {
     try {
-        return build(Given(parameters, given));
+        return solved([&] { return build(Given(parameters, given)); });
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", name, error.what()));
-    } catch (const std::invalid_argument& error) {
         throw InputError(fmt::format("{}: {}", name, error.what()));
     }
 }

@@ -26,6 +26,8 @@ struct TruthEntry {
     /// The truth with these parameters, and the standards of all others.
     /// \throws InputError beginning with the truth's name: for an unknown parameter, one
     /// out of its limits, or several that do not go together.
+    /// \throws NumericalFailure where no solution is found: parameters may be within their limits and
+    /// still far from anything that burns.
     Truth make(const Parameters& given = {}) const;
 };
 

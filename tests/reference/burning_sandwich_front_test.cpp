@@ -206,6 +206,11 @@ TEST(BurningSandwichFront, RefusesWhatIsMissingOrOutOfRange) {
     EXPECT_THAT(refusal(with(&SandwichGeometry::strip, missing), paper_flame()),
                 "strip is missing");
     EXPECT_NE(refusal(with(&SandwichGeometry::strip, half_width), paper_flame()), "");
+    // Their meshes would not fit into memory.
+    EXPECT_THAT(refusal(with(&SandwichGeometry::strip, 0.02 * half_width), paper_flame()),
+                testing::HasSubstr("at least 1/40 of half_width"));
+    EXPECT_NE(refusal(with(&SandwichGeometry::strip, 0.98 * half_width), paper_flame()), "");
+    EXPECT_NE(refusal(with(&SandwichGeometry::depth, 2e6 * half_width), paper_flame()), "");
     EXPECT_NE(refusal(with(&SandwichGeometry::depth, -1.0), paper_flame()), "");
     EXPECT_THAT(refusal(paper_sandwich(), {}), "inner_flux is missing");
     SandwichGeometry cold = paper_sandwich();

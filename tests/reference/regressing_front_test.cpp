@@ -108,6 +108,15 @@ TEST(RegressingWave, EndsAsArcsAboutItsValleys) {
     EXPECT_NEAR(wave.envelope(0.0, late) - valley, period * period / (8.0 * radius), 1e-6);
 }
 
+TEST(RegressingWave, IsKnownForAllTimes) {
+    for (const double t : {1e-300, 1e9, 1e290}) {
+        EXPECT_NEAR(wave.envelope(0.5 * period, t), -amplitude - burn_rate * t,
+                    1e-15 * (amplitude + burn_rate * t));
+        EXPECT_LE(wave.envelope(0.1 * period, t), amplitude - burn_rate * t);
+    }
+    EXPECT_EQ(wave.height(0.1 * period, 1e-300), wave_start(0.1 * period));
+}
+
 TEST(RegressingZigzag, IsTheLowestOfAllCircles) {
     for (const double t : {0.05, 0.4, 1.7})
         for (const double x : places()) {

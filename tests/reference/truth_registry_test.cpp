@@ -17,7 +17,8 @@
 
 namespace crawford::reference {
 
-/// How a test is called that walks the registry.
+/// How a test is called that walks the registry. The name is GoogleTest's.
+// NOLINTNEXTLINE(readability-identifier-naming)
 static void PrintTo(const TruthEntry& entry, std::ostream* out) {
     *out << entry.name;
 }
@@ -139,6 +140,28 @@ TEST_P(EveryTruth, RefusesEachParameterOutOfItsLimits) {
         if (std::isfinite(range.to))
             expect_refused(parameter.name, range.open ? range.to : range.to + 1.0);
         if (range.whole) expect_refused(parameter.name, range.from + 0.5);
+    }
+}
+
+/// What it answers is finite, and what it throws is one of the two that callers know.
+void ask_far_out(const TruthEntry& entry, const std::string& parameter, double value) {
+    try {
+        const Truth truth = entry.make(coarse(entry, {{parameter, value}}));
+        truth.values(entry.examples, entry.example_time);
+    } catch (const InputError&) {        // NOLINT(bugprone-empty-catch): a good ending
+    } catch (const NumericalFailure&) {  // NOLINT(bugprone-empty-catch): another
+    } catch (const std::exception& other) {
+        ADD_FAILURE() << parameter << " = " << value << ": " << other.what();
+    }
+}
+
+TEST_P(EveryTruth, AnswersOrSaysWhyNotFarFromItsStandards) {
+    const TruthEntry& entry = GetParam();
+    for (const Parameter& parameter : entry.parameters) {
+        if (!parameter.standard || parameter.is_text() || parameter.limits.whole) continue;
+        const double standard = std::get<double>(*parameter.standard);
+        for (const double factor : {1e-290, 1e-30, 1e-6, 1e6, 1e30, 1e290})
+            ask_far_out(entry, parameter.name, (standard == 0.0 ? 1.0 : standard) * factor);
     }
 }
 
