@@ -108,7 +108,7 @@ Finding Hunt::look(const Judge& judge, const Fault& fault,
     if (!planted) planted.emplace(tree_, fault);
     if (!workshop_.build(judge).empty())
         throw std::invalid_argument(fault.name + ": does not build");
-    const Finding finding = workshop_.ask(judge, limit(judge));
+    Finding finding = workshop_.ask(judge, limit(judge));
     ledger_.keep(k, finding);
     return finding;
 }

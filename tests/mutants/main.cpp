@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -123,9 +125,7 @@ int hunt(const Options& options) {
     return std::ranges::all_of(verdicts, &Verdict::killer) ? all_seen : some_survived;
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
+int hunt_as_typed(int count, char** arguments) {
     Options options;
     CLI::App app{"Puts seeded faults into a copy of the sources and asks which gate sees them.",
                  "mutants"};
@@ -141,10 +141,16 @@ int main(int count, char** arguments) {
         ->capture_default_str();
     app.add_option("--jobs", options.jobs, "Compilers at a time")->capture_default_str();
     CLI11_PARSE(app, count, arguments);
+    return hunt(options);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
     try {
-        return hunt(options);
+        return hunt_as_typed(count, arguments);
     } catch (const std::exception& problem) {
-        say(fmt::format("mutants: {}", problem.what()));
+        std::fprintf(stderr, "mutants: %s\n", problem.what());
         return wrong_input;
     }
 }

@@ -71,7 +71,7 @@ std::string ScratchTree::read(const std::string& file) const {
 std::string ScratchTree::fingerprint(const std::function<bool(const std::string&)>& counts) const {
     std::string all;
     for (const auto& [file, digest_of_file] : digests_)
-        if (counts(file)) all += file + ' ' + digest_of_file + '\n';
+        if (counts(file)) all.append(file).append(" ").append(digest_of_file).append("\n");
     return digest(all);
 }
 

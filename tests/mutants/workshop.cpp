@@ -25,6 +25,14 @@ Finished run_limited(std::vector<std::string> command, double limit) {
     return run_program(command);
 }
 
+/// "study: quantity, norm"
+std::string name_of(const nlohmann::json& gate) {
+    std::string name = gate.at("study").get<std::string>() + ": ";
+    name += gate.at("quantity").get<std::string>();
+    if (const auto norm = gate.at("norm").get<std::string>(); !norm.empty()) name += ", " + norm;
+    return name;
+}
+
 /// The gates that fell short, from what `crawford verify` leaves.
 std::vector<std::string> fallen_gates(const fs::path& report) {
     std::vector<std::string> gates;
@@ -32,11 +40,7 @@ std::vector<std::string> fallen_gates(const fs::path& report) {
     if (!in) return gates;
     const auto document = nlohmann::json::parse(in);
     for (const auto& gate : document.at("gates"))
-        if (!gate.at("passed").get<bool>())
-            gates.push_back(fmt::format("{}: {}{}{}", gate.at("study").get<std::string>(),
-                                        gate.at("quantity").get<std::string>(),
-                                        gate.at("norm") == "" ? "" : ", ",
-                                        gate.at("norm").get<std::string>()));
+        if (!gate.at("passed").get<bool>()) gates.push_back(name_of(gate));
     return gates;
 }
 

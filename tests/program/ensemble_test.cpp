@@ -87,7 +87,8 @@ TEST_F(ProgramEnsemble, ListsWhatIsThereAndInWhatState) {
     EXPECT_EQ(list.at(3).at("state"), "unreadable");
     EXPECT_THAT(crawford({"runs", "--list", "--out", out()}).output,
                 HasSubstr("4 burns in " + out() + ", 1 of them done"));
-    expect_refused({"gather", out(), "--out", out() + "/table"}, "d/manifest.json is damaged: parse error");
+    expect_refused({"gather", out(), "--out", out() + "/table"},
+                   "d/manifest.json is damaged: parse error");
 }
 
 /// The burn is held still while it is looked at: it cannot have ended.
@@ -207,7 +208,7 @@ TEST_F(ProgramEnsemble, GathersOfAListWhatItNamesAlone) {
     EXPECT_EQ(short_of_one.status, 2);
     EXPECT_THAT(short_of_one.output, HasSubstr("3 has no burns"));
 
-    std::ofstream{list};
+    std::ofstream(list, std::ios::trunc).close();
     expect_refused({"gather", "--from", list, "--out", out()}, "no folder is named");
     expect_refused({"gather", "--out", out()}, "no folder is named");
     expect_refused({"gather", "--from", list + ".old", "--out", out()}, "cannot be read");

@@ -42,7 +42,9 @@ TEST(ConductingInclusion, ConductsTheSameHeatOnBothSidesOfTheCircle) {
 
 TEST(ConductingInclusion, ItsSourceIsWhatConductionLacks) {
     const ConductingInclusion truth(conditions);
-    for (const auto& [x, y] : {std::pair{1.1, 0.3}, {1.5, 0.4}, {-1.2, 1.7}, {0.3, -2.4}}) {
+    for (const auto& point : {std::pair{1.1, 0.3}, {1.5, 0.4}, {-1.2, 1.7}, {0.3, -2.4}}) {
+        const double x = point.first;
+        const double y = point.second;
         const auto second = [&](double ux, double uy) {
             const auto line = [&](double s) {
                 return slope([&](double t) { return truth.temperature(x + t * ux, y + t * uy); },

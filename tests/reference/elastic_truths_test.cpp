@@ -150,7 +150,8 @@ class EachInclusion : public ::testing::TestWithParam<InclusionConditions> {};
 TEST_P(EachInclusion, IsBonded) {
     const CircularInclusion exact(GetParam());
     const double radius = GetParam().radius;
-    for (double angle = 0.1; angle < 6.3; angle += 0.5) {
+    for (int k = 0; k < 13; ++k) {
+        const double angle = 0.1 + 0.5 * k;
         const double c = std::cos(angle);
         const double s = std::sin(angle);
         const double in = radius * (1.0 - 1e-13);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 namespace crawford::reports {
 namespace {
@@ -11,7 +12,10 @@ namespace {
 const Claim burn_rate{"mean burn rate", "Fig. 15b", "fig15", "cm/s", "0.42", 0.42, 0.005};
 
 Found found(double value, Uncertainty uncertainty = {}, std::vector<OtherReading> others = {}) {
-    return {.value = value, .uncertainty = uncertainty, .reading = "as read", .others = others};
+    return {.value = value,
+            .uncertainty = uncertainty,
+            .reading = "as read",
+            .others = std::move(others)};
 }
 
 TEST(Claim, IsReproducedWithinWhatPrintingLeavesOpen) {

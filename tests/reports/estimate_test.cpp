@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <ranges>
 #include <vector>
 
 namespace crawford::reports {
@@ -16,13 +17,14 @@ using testing::HasSubstr;
 
 struct Grids {
     std::vector<double> h, values;
+    // NOLINTNEXTLINE(google-explicit-constructor): it stands for them
     operator GridValues() const { return {h, values}; }
 };
 
 /// Finest first, as the papers print them; h = N^(-1/2).
-Grids of_cells(std::vector<double> cells, std::vector<double> values) {
+Grids of_cells(const std::vector<double>& cells, const std::vector<double>& values) {
     Grids grids{{}, {values.rbegin(), values.rend()}};
-    for (auto n = cells.rbegin(); n != cells.rend(); ++n) grids.h.push_back(1.0 / std::sqrt(*n));
+    for (const double n : std::views::reverse(cells)) grids.h.push_back(1.0 / std::sqrt(n));
     return grids;
 }
 

@@ -116,7 +116,8 @@ TEST_F(Figures, CanBeMoviesThatKeepNoNumbers) {
         EXPECT_EQ(gif.substr(0, 6), "GIF89a");
         const std::string frame = {'\x21', '\xf9', '\x04'};
         int frames = 0;
-        for (auto at = gif.find(frame); at != gif.npos; at = gif.find(frame, at + 1)) ++frames;
+        for (auto at = gif.find(frame); at != std::string::npos; at = gif.find(frame, at + 1))
+            ++frames;
         EXPECT_EQ(frames, 3);
     }
     EXPECT_EQ(files(), 1U) << "the movie and no numbers";

@@ -56,6 +56,8 @@ struct Refused {
     Overrides overrides;
 };
 
+/// The name is GoogleTest's.
+// NOLINTNEXTLINE(readability-identifier-naming)
 void PrintTo(const Refused& refused, std::ostream* out) {
     *out << refused.file;
     for (const std::string& one : refused.overrides) *out << ' ' << one;

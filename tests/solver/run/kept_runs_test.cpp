@@ -129,7 +129,8 @@ TEST_F(KeptRunsTest, WhoseLastCheckpointIsDamagedGoOnFromTheOneBefore) {
     cut_off(run->directory);
     EXPECT_EQ(steps_to_get(scene), 1);
     cut_off(run->directory);
-    std::fstream(last, std::ios::in | std::ios::out | std::ios::binary).seekp(size / 2) << "??";
+    std::fstream(last, std::ios::in | std::ios::out | std::ios::binary).seekp(long(size / 2))
+        << "??";
     EXPECT_EQ(steps_to_get(scene), 2);
     cut_off(run->directory);
     std::filesystem::resize_file(last, size - 1);
