@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace crawford::reference {
 namespace {
@@ -28,7 +27,8 @@ double slope(const std::function<double(double)>& f, double at) {
 
 TEST(ConductingInclusion, ConductsTheSameHeatOnBothSidesOfTheCircle) {
     const ConductingInclusion truth(conditions);
-    for (double angle = 0.1; angle < 2.0 * std::numbers::pi; angle += 0.7) {
+    for (int k = 0; k < 9; ++k) {
+        const double angle = 0.1 + 0.7 * k;
         const double x = std::cos(angle);
         const double y = std::sin(angle);
         const auto along_ray = [&](double r) { return truth.temperature(r * x, r * y); };

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <ranges>
 #include <vector>
 
 namespace crawford::reports {
@@ -23,8 +22,8 @@ struct Grids {
 
 /// Finest first, as the papers print them; h = N^(-1/2).
 Grids of_cells(const std::vector<double>& cells, const std::vector<double>& values) {
-    Grids grids{{}, {values.rbegin(), values.rend()}};
-    for (const double n : std::views::reverse(cells)) grids.h.push_back(1.0 / std::sqrt(n));
+    Grids grids{{cells.rbegin(), cells.rend()}, {values.rbegin(), values.rend()}};
+    for (double& h : grids.h) h = 1.0 / std::sqrt(h);
     return grids;
 }
 

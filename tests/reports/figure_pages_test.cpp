@@ -240,8 +240,8 @@ TEST(FigureIndex, ListsFiguresByNumberAndFiguresWithStudiesByPhysics) {
           "<a href=\"model.html\">model</a>",
           "Not drawn: <code>build/crawford run fig08 --fidelity draft --out out/draft</code>",
           "Drawn as a movie: <a href=\"fig08.gif\">fig08.gif</a>", "1 of 2 claims", "<h3>heat</h3>",
-          "studies <span title=\"against the exact slab\">"
-          "<a href=\"../verify/report.html#entry-slab\">",
+          ("studies <span title=\"against the exact slab\">"
+           "<a href=\"../verify/report.html#entry-slab\">"),
           "href=\"../verify/report.html\">verification"})
         EXPECT_THAT(html, HasSubstr(part));
     EXPECT_THAT(html, Not(HasSubstr("<h3>time step"))) << "nothing is there";
