@@ -20,6 +20,15 @@ std::vector<std::string> names(const std::vector<fs::path>& files) {
     return names;
 }
 
+/// Nothing in a record that says something else there.
+std::optional<std::string> fidelity_of(const reports::Setting& setting) {
+    for (const auto& [axis, value] : setting.axes())
+        if (const auto* const word = std::get_if<std::string>(&value);
+            word && axis == fidelity_axis)
+            return *word;
+    return {};
+}
+
 }  // namespace
 
 reports::RecordStore figure_records(const fs::path& out) {
@@ -31,12 +40,12 @@ reports::Setting at_fidelity(const std::string& fidelity) {
 }
 
 std::string drawn_at(const reports::Record& record) {
-    return record.setting.has(fidelity_axis) ? record.setting.word(fidelity_axis) : std::string();
+    return fidelity_of(record.setting).value_or("");
 }
 
 std::optional<reports::Record> drawn_record(reports::RecordStore& store, const std::string& name) {
     auto record = store.newest(name);
-    if (record && record->ending.is_done() && record->figure) return record;
+    if (record && record->ending.is_done() && record->found && record->figure) return record;
     return {};
 }
 

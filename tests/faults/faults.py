@@ -16,6 +16,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import damage
 import disks
 import kills
 import people
@@ -24,8 +25,8 @@ import table
 CAMPAIGNS = {
     "kill": kills.rows, "disk": disks.full_disks, "place": disks.no_place, "memory": disks.little_memory,
     "clock": disks.clock_set_back, "comma": disks.comma_locale, "signals": people.signals,
-    "checkpoints": people.damaged_checkpoints, "two": people.two_in_one_folder, "names": people.names,
-    "make": people.make_from_such_a_place}
+    "checkpoints": people.damaged_checkpoints, "json": damage.damaged_json, "two": people.two_in_one_folder,
+    "names": people.names, "make": people.make_from_such_a_place}
 
 
 def main():
