@@ -1,8 +1,8 @@
 /// The ledger as JSON, out and in.
 #pragma once
 
-#include "reports/ledger.hpp"
 #include "base/json_member.hpp"
+#include "reports/ledger.hpp"
 
 namespace crawford::reports {
 

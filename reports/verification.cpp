@@ -9,9 +9,9 @@
 
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/json_problem.hpp"
 #include "base/whole_number.hpp"
 #include "reports/gate_json.hpp"
-#include "base/json_problem.hpp"
 #include "reports/judgement.hpp"
 
 namespace crawford::reports {
