@@ -21,34 +21,37 @@ TEST(FirstLoad, OfAHundredMegapascalsBurnsAsOneOfTwo) {
         EXPECT_NEAR(rate_after(100e6, scheme) / rate_after(2e6, scheme), 1.0, 1e-3);
 }
 
-TEST(FirstLoad, LeavesTheSolidPressedAndAtRest) {
+/// A slab of AP under 100 MPa that hardly burns.
+Scene pressed_slab() {
     Scene scene = testing::slab(ammonium_perchlorate(), 24);
     scene.surface.pressure = 100e6;
     scene.surface.heat_flux = {0.0};
     scene.surface.burn_rate = 1e-9;
     scene.time.step = 1e-6;
-    Simulation simulation(scene);
+    return scene;
+}
+
+/// By how much the load shortens it where it cannot widen [m].
+double shortening() {
+    const Material ap = ammonium_perchlorate();
+    return 100e6 * 480e-6 / (ap.bulk_modulus + 4.0 / 3.0 * ap.shear_modulus);
+}
+
+TEST(FirstLoad, LeavesTheSolidPressedAndAtRest) {
+    Simulation simulation(pressed_slab());
     run_steps(simulation, 2);
     const State& state = simulation.state();
-    const Material ap = ammonium_perchlorate();
-    const double confined = ap.bulk_modulus + 4.0 / 3.0 * ap.shear_modulus;
-    EXPECT_NEAR(state.reference_shift(0, 24).y(), 100e6 * 480e-6 / confined, 1e-10);
+    EXPECT_NEAR(state.reference_shift(0, 24).y(), shortening(), 1e-10);
     EXPECT_NEAR(state.stress.mean(0, 12).s22, -100e6, 1.0);
     EXPECT_LT(std::abs(state.velocity(0, 24).y()), 1e-6);
 }
 
 TEST(FirstLoad, TakesTheSurfaceAlongWhereItMovesWithTheMaterial) {
-    Scene scene = testing::slab(ammonium_perchlorate(), 24);
-    scene.surface.pressure = 100e6;
-    scene.surface.heat_flux = {0.0};
-    scene.surface.burn_rate = 1e-9;
-    scene.time.step = 1e-6;
+    Scene scene = pressed_slab();
     scene.numerics.surface_motion = SurfaceMotion::burning_with_material;
     Simulation simulation(scene);
     run_steps(simulation, 1);
-    const Material ap = ammonium_perchlorate();
-    const double confined = ap.bulk_modulus + 4.0 / 3.0 * ap.shear_modulus;
-    EXPECT_NEAR(simulation.state().surface[0], -100e6 * 480e-6 / confined, 1e-10);
+    EXPECT_NEAR(simulation.state().surface[0], -shortening(), 1e-10);
 }
 
 }  // namespace
