@@ -92,11 +92,11 @@ struct EnsembleCommands::Commands {
     }
 };
 
-EnsembleCommands::EnsembleCommands(CLI::App& app) : commands_(std::make_shared<Commands>(app)) {}
+EnsembleCommands::EnsembleCommands(CLI::App& app) : commands_(std::make_unique<Commands>(app)) {}
 EnsembleCommands::~EnsembleCommands() = default;
 
 std::function<int()> EnsembleCommands::action(const std::vector<std::string>& command) const {
-    const auto commands = commands_;
+    auto* const commands = commands_.get();
     if (commands->runs_command->parsed()) return [commands] { return runs(commands->runs); };
     if (commands->gather_command->parsed())
         return [commands, command] { return gather(commands->gather, command); };

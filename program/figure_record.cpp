@@ -20,15 +20,6 @@ std::vector<std::string> names(const std::vector<fs::path>& files) {
     return names;
 }
 
-/// Nothing in a record that says something else there.
-std::optional<std::string> fidelity_of(const reports::Setting& setting) {
-    for (const auto& [axis, value] : setting.axes())
-        if (const auto* const word = std::get_if<std::string>(&value);
-            word && axis == fidelity_axis)
-            return *word;
-    return {};
-}
-
 }  // namespace
 
 reports::RecordStore figure_records(const fs::path& out) {
@@ -40,7 +31,11 @@ reports::Setting at_fidelity(const std::string& fidelity) {
 }
 
 std::string drawn_at(const reports::Record& record) {
-    return fidelity_of(record.setting).value_or("");
+    for (const auto& [axis, value] : record.setting.axes())
+        if (const auto* const word = std::get_if<std::string>(&value);
+            word && axis == fidelity_axis)
+            return *word;
+    return {};  // a record that says something else there
 }
 
 std::optional<reports::Record> drawn_record(reports::RecordStore& store, const std::string& name) {

@@ -160,11 +160,11 @@ struct OutsideCommands::Commands {
     }
 };
 
-OutsideCommands::OutsideCommands(CLI::App& app) : commands_(std::make_shared<Commands>(app)) {}
+OutsideCommands::OutsideCommands(CLI::App& app) : commands_(std::make_unique<Commands>(app)) {}
 OutsideCommands::~OutsideCommands() = default;
 
 std::function<int()> OutsideCommands::action(const std::vector<std::string>& command) const {
-    const auto commands = commands_;
+    auto* const commands = commands_.get();
     if (commands->order_command->parsed()) return [commands] { return order(commands->order); };
     if (commands->truth_command->parsed()) return [commands] { return commands->run_truth(); };
     if (commands->judge_command->parsed())

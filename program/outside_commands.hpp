@@ -21,11 +21,12 @@ public:
     OutsideCommands& operator=(const OutsideCommands&) = delete;
 
     /// What was asked for by `command`, as typed; empty if it was none of these.
+    /// These must outlive it.
     std::function<int()> action(const std::vector<std::string>& command) const;
 
 private:
     struct Commands;
-    std::shared_ptr<Commands> commands_;
+    std::unique_ptr<Commands> commands_;
 };
 
 }  // namespace crawford

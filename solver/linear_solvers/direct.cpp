@@ -46,10 +46,7 @@ template <class Factorisation>
 void factorise(Factorisation& factorisation, const SparseMatrix& lower) {
     factorisation.factorize(lower);
     refuse_short_memory(factorisation);
-    if (!is_positive_definite(factorisation))
-        throw NumericalFailure({.kind = FailureFields::Kind::not_positive_definite,
-                                .module = "linear solver",
-                                .quantity = "the matrix"});
+    if (!is_positive_definite(factorisation)) throw not_positive_definite();
 }
 
 using Supernodal = Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower>;

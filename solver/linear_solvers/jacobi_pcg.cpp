@@ -34,10 +34,7 @@ public:
                  .limit = FailureLimit{.value = tolerance_},
                  .advice = "take numerics.solver = \"cholmod\""});
         // x.Ax: an iteration sees no more of the matrix than its answer.
-        if (b.dot(x) < 0.0)
-            throw NumericalFailure({.kind = FailureFields::Kind::not_positive_definite,
-                                    .module = "linear solver",
-                                    .quantity = "the matrix"});
+        if (b.dot(x) < 0.0) throw not_positive_definite();
         return int(pcg.iterations());
     }
 

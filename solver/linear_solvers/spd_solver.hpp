@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 #include <memory>
 
+#include "base/errors.hpp"
 #include "solver/linear_solvers/linear_solver.hpp"
 
 namespace crawford {
@@ -22,6 +23,13 @@ public:
     /// where x.Ax > 0, or if the iteration does not converge.
     virtual int solve(const SparseMatrix& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
 };
+
+/// What a solver throws of a matrix that is not positive definite.
+inline NumericalFailure not_positive_definite() {
+    return NumericalFailure({.kind = FailureFields::Kind::not_positive_definite,
+                             .module = "linear solver",
+                             .quantity = "the matrix"});
+}
 
 /// \param tolerance relative residual |b - A x|/|b| at which an iterative solver stops.
 std::unique_ptr<SpdSolver> make_spd_solver(LinearSolver kind, double tolerance);

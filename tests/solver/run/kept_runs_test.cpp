@@ -12,37 +12,19 @@
 #include "base/scratch.hpp"
 #include "solver/files/checkpoint.hpp"
 #include "solver/run/run_identity.hpp"
-#include "solver/scene/read_scene.hpp"
+#include "tests/solver/scene/scene_text.hpp"
 
 namespace crawford {
 namespace {
 
 /// A sandwich, stress and all, that burns eight steps.
 Scene small_scene(double checkpoint_every) {
-    Scene scene = parse_scene(R"toml(
-title = "small"
-[domain]
-width = "240 um"
-depth = "480 um"
-nx = 8
-ny = 8
-[morphology]
-kind = "sandwich"
-strip = "60 um"
-[surface]
-pressure = "2 MPa"
-heat_flux = { AP = "200 cal/(s cm2)", binder = "160 cal/(s cm2)" }
-[bottom]
-temperature = "300 K"
-[time]
-step = "20 us"
-end = "160 us"
-)toml");
+    Scene scene = testing::with({"title=small", "domain.nx=8", "domain.ny=8", "time.end=160 us"});
     scene.output.checkpoint_every = checkpoint_every;
     return scene;
 }
 
-class KeptRunsTest : public testing::Test {
+class KeptRunsTest : public ::testing::Test {
 protected:
     /// How often the run was told to go on while it was fetched: 0 if it was there.
     int steps_to_get(const Scene& scene) {
